@@ -1,0 +1,253 @@
+/* lobe/render.h: a path tracer that shades with liblobe.
+ *
+ *     lobe_scene *scene = NULL;
+ *     lobe_film *film = NULL;
+ *     lobe_render_options options = lobe_render_default_options();
+ *     options.samples = 64;
+ *     options.ggx.method = LOBE_METHOD_BOUNDED;
+ *     if (lobe_scene_load("gallery", lobe_scene_default_options(), &scene) != LOBE_RENDER_OK ||
+ *         lobe_render(scene, options, &film, NULL) != LOBE_RENDER_OK ||
+ *         lobe_film_write(film, "gallery.png", lobe_film_default_write_options()) != LOBE_RENDER_OK)
+ *         fprintf(stderr, "lobe: %s\n", lobe_render_error_message());
+ *     lobe_film_free(film);
+ *     lobe_scene_free(scene);
+ *
+ * World: right-handed, Y up, as in glTF. Colours are linear, with the primaries of sRGB.
+ * Environment: direction d lies at u = 1/2 + atan2(d.z, d.x)/(2 pi), v = acos(d.y)/pi from the top
+ * row, texels centred.
+ * Materials are those of glTF 2.0: a metal is GGX with Schlick's Fresnel (f0 = base colour), a
+ * dielectric is a GGX coat of index 1.5 over a diffuse base, `metallic` blends the two. The base
+ * receives exactly what the coat lets through: a white dielectric reflects all light, at any
+ * roughness. Every surface is opaque and two-sided.
+ * Not promised: the bits of a picture from version to version or between processors of different
+ * instruction sets (Embree picks its code by the processor). On one machine the same scene, options
+ * and seed give the same bits on any number of threads.
+ *
+ * Any function may be called from any thread; one scene may be rendered by several threads at once.
+ * A film is used by one thread at a time. */
+#ifndef LOBE_RENDER_H
+#define LOBE_RENDER_H
+
+#include <signal.h>
+#include <stddef.h>
+
+#include "ggx.h"
+#include "types.h"
+
+LOBE_BEGIN_C
+
+/* ---- Results --------------------------------------------------------------------------------- */
+
+typedef enum lobe_render_result {
+    LOBE_RENDER_OK,
+    LOBE_RENDER_INTERRUPTED, /* stopped by `cancel`; the film holds what was finished */
+    LOBE_RENDER_BAD_INPUT,   /* a file, name or option is unusable: exit status 2 */
+    LOBE_RENDER_FAILED       /* memory, device, output file: exit status 1 */
+} lobe_render_result;
+
+/* Why the last call of this thread did not return LOBE_RENDER_OK: one line "WHERE: WHAT; HINT",
+ * without a line end. Valid until the next call of this thread; "" if there was no error yet. */
+LOBE_API const char *lobe_render_error_message(void);
+
+/* Receives one line "WHERE: WHAT; HINT" for everything that was read, but not as the file meant it. */
+typedef void (*lobe_warning_function)(void *user, const char *message);
+
+/* ---- Scenes ---------------------------------------------------------------------------------- */
+
+typedef struct lobe_scene lobe_scene;
+
+/* The scenes that need no file. An index out of range gives NULL. */
+LOBE_API size_t lobe_builtin_scene_count(void);
+LOBE_API const char *lobe_builtin_scene_name(size_t index);
+LOBE_API const char *lobe_builtin_scene_about(size_t index);
+
+typedef struct lobe_scene_options {
+    const char *environment;       /* panorama to light with (.exr, .hdr, .png, …); NULL: the scene's
+                                      own light, and a sky where a file brings none */
+    float environment_rotation;    /* degrees about +Y, counter-clockwise from above; default 0 */
+    int strict;                    /* 1: a missing texture or another warning is an error; default 0 */
+    int ground;                    /* 1: put a large matte floor below a file's scene; default 0 */
+    float default_base_color[3];   /* material of meshes that bring none: linear, [0, 1]; 0.8 */
+    float default_metallic;        /* [0, 1]; default 0 */
+    float default_roughness;       /* perceptual, [0, 1]; alpha is its square; default 0.5 */
+    lobe_warning_function warning; /* NULL: warnings are dropped */
+    void *warning_user;
+} lobe_scene_options;
+
+LOBE_API lobe_scene_options lobe_scene_default_options(void);
+
+/* Read a built-in scene by name, or a file (glTF 2.0 .gltf/.glb, OBJ, and what else the importer
+ * reads). An existing file wins over a built-in of the same name. On success *scene is to be freed by
+ * lobe_scene_free; otherwise it is NULL. */
+LOBE_API lobe_render_result lobe_scene_load(const char *source, lobe_scene_options options,
+                                            lobe_scene **scene);
+LOBE_API void lobe_scene_free(lobe_scene *scene); /* NULL is fine */
+
+typedef struct lobe_scene_info {
+    uint64_t triangles;         /* in use */
+    uint64_t dropped_triangles; /* of zero area or with a coordinate that is not finite */
+    uint64_t emissive_triangles;
+    uint64_t vertices;
+    uint64_t materials;
+    uint64_t textures;
+    uint64_t missing_textures;  /* shown in magenta */
+    uint64_t cameras;           /* in the file; 0: framed automatically */
+    uint64_t warnings;
+    uint64_t bytes;             /* geometry, textures and Embree's tree */
+    double load_seconds;
+} lobe_scene_info;
+
+LOBE_API lobe_scene_info lobe_scene_get_info(const lobe_scene *scene);
+
+/* Names of the cameras that the file brings; an index out of range gives NULL. */
+LOBE_API const char *lobe_scene_camera_name(const lobe_scene *scene, size_t index);
+
+/* ---- Extra channels -------------------------------------------------------------------------- */
+
+/* X(IDENTIFIER, "name", channels, "what it is"), all averaged over the samples of a pixel. */
+#define LOBE_AOVS(X)                                                                               \
+    X(ALBEDO, "albedo", 3, "base colour at the first hit")                                         \
+    X(NORMAL, "normal", 3, "shading normal at the first hit, world space, [-1, 1]")                \
+    X(DEPTH, "depth", 1, "distance from the camera to the first hit; 0 where there is none")       \
+    X(REJECTED, "rejected", 1, "share of GGX draws on the pixel's paths that were rejected")
+
+typedef enum lobe_aov {
+#define LOBE_AOV_ENUMERATOR(ID, name, channels, about) LOBE_AOV_##ID,
+    LOBE_AOVS(LOBE_AOV_ENUMERATOR)
+#undef LOBE_AOV_ENUMERATOR
+        LOBE_AOV_COUNT
+} lobe_aov;
+
+#define LOBE_AOV_BIT(aov) (1u << (aov))
+
+LOBE_API lobe_aov lobe_aov_from_name(const char *name); /* unknown: LOBE_AOV_COUNT */
+LOBE_API const char *lobe_aov_name(lobe_aov aov);       /* out of range: NULL */
+LOBE_API const char *lobe_aov_about(lobe_aov aov);
+LOBE_API int lobe_aov_channels(lobe_aov aov);
+
+/* ---- Rendering ------------------------------------------------------------------------------- */
+
+/* How light that both a surface and a lamp could have sampled is weighed (Veach & Guibas 1995). The
+ * last two switch one of the two off; they are noisy, and there to check the others. */
+typedef enum lobe_heuristic {
+    LOBE_HEURISTIC_BALANCE,
+    LOBE_HEURISTIC_POWER,
+    LOBE_HEURISTIC_BSDF_ONLY,
+    LOBE_HEURISTIC_LIGHT_ONLY /* mirrors still see the lamps */
+} lobe_heuristic;
+
+LOBE_API lobe_heuristic lobe_heuristic_from_name(const char *name, int *known);
+LOBE_API const char *lobe_heuristic_name(lobe_heuristic heuristic); /* "balance", "power", … */
+
+typedef struct lobe_render_progress {
+    double fraction;        /* of the whole work, [0, 1] */
+    double seconds;         /* since the start */
+    double seconds_left;    /* estimated; negative: not known yet */
+    uint64_t samples;       /* camera paths so far */
+    uint32_t pixel_samples; /* whole passes over the image so far, in samples a pixel */
+} lobe_render_progress;
+
+/* Called by the thread that called lobe_render, a few times a second. */
+typedef void (*lobe_progress_function)(void *user, const lobe_render_progress *progress);
+
+typedef struct lobe_render_options {
+    lobe_ggx_options ggx;     /* default lobe_ggx_default_options() */
+    int width, height;        /* pixels, 1 to LOBE_RENDER_SIZE_MAX; default 960 x 540 */
+    uint32_t samples;         /* camera paths a pixel, 1 to LOBE_RENDER_SAMPLES_MAX; default 64 */
+    int depth;                /* greatest number of surface scatterings on a path, 0 to 1000000; 8 */
+    int roulette_depth;       /* Russian roulette after so many scatterings; default 5 */
+    uint64_t seed;            /* default 0 */
+    int threads;              /* 0: as many as OpenMP offers; default 0 */
+    double time_limit;        /* seconds, then stop with what is finished; 0: none; default 0 */
+    const char *camera;       /* name of a camera of the file; NULL: its first, else framed */
+    lobe_heuristic heuristic; /* default LOBE_HEURISTIC_POWER */
+    uint32_t aovs;            /* LOBE_AOV_BIT(…) of the extra channels to keep; default 0 */
+    lobe_progress_function progress; /* NULL: none */
+    void *progress_user;
+    const volatile sig_atomic_t *cancel; /* not NULL: rendering ends soon after *cancel != 0 */
+} lobe_render_options;
+
+#define LOBE_RENDER_SIZE_MAX 32768
+#define LOBE_RENDER_SAMPLES_MAX 16777216
+
+LOBE_API lobe_render_options lobe_render_default_options(void);
+
+typedef struct lobe_render_statistics {
+    uint64_t samples;         /* camera paths finished */
+    uint64_t dropped_samples; /* of them not finite, not in the film: a defect if not 0 */
+    uint64_t rays;            /* camera, bounce and shadow rays */
+    uint64_t ggx_draws;
+    uint64_t ggx_rejected;    /* of them below the shading or the geometric surface */
+    double rejected_share;    /* ggx_rejected / ggx_draws */
+    double seconds;           /* of the wall clock */
+    double cpu_seconds;       /* of all threads together */
+    uint32_t pixel_samples;   /* fewest samples of any pixel */
+    int threads;              /* used */
+} lobe_render_statistics;
+
+typedef struct lobe_film lobe_film;
+
+/* Render `scene`. *film is to be freed by lobe_film_free after LOBE_RENDER_OK (also when the time
+ * limit came first: statistics->pixel_samples tells) and after LOBE_RENDER_INTERRUPTED; otherwise it
+ * is NULL. Pixels that got fewer samples than others are averaged over those they got.
+ * `statistics` may be NULL. */
+LOBE_API lobe_render_result lobe_render(const lobe_scene *scene, lobe_render_options options,
+                                        lobe_film **film, lobe_render_statistics *statistics);
+
+/* ---- Films ----------------------------------------------------------------------------------- */
+
+LOBE_API void lobe_film_free(lobe_film *film); /* NULL is fine */
+LOBE_API int lobe_film_width(const lobe_film *film);
+LOBE_API int lobe_film_height(const lobe_film *film);
+
+/* Copy the means, rows from the top: width * height * 3 floats, or * lobe_aov_channels(aov). 0 if the
+ * film does not hold this channel, otherwise 1. */
+LOBE_API int lobe_film_copy_rgb(const lobe_film *film, float *rgb);
+LOBE_API int lobe_film_copy_aov(const lobe_film *film, lobe_aov aov, float *values);
+
+typedef enum lobe_film_pixels { LOBE_FILM_HALF, LOBE_FILM_FLOAT } lobe_film_pixels;
+
+typedef enum lobe_film_compression {
+    LOBE_FILM_COMPRESSION_NONE,
+    LOBE_FILM_COMPRESSION_RLE,
+    LOBE_FILM_COMPRESSION_ZIPS,
+    LOBE_FILM_COMPRESSION_ZIP,
+    LOBE_FILM_COMPRESSION_PIZ
+} lobe_film_compression;
+
+typedef struct lobe_film_write_options {
+    float exposure;                    /* stops, for every format; default 0 */
+    lobe_film_pixels pixels;           /* .exr only; default half */
+    lobe_film_compression compression; /* .exr only; default ZIP */
+} lobe_film_write_options;
+
+LOBE_API lobe_film_write_options lobe_film_default_write_options(void);
+
+/* 1 if a film can be written under such a name: .exr, .png, .hdr or .pfm (any case). Ask before a
+ * long render. */
+LOBE_API int lobe_film_can_write(const char *path);
+
+/* Write the film in the format of the file's ending, beside the final name, and rename it. .exr holds
+ * the extra channels as layers ("albedo.R", …, "depth.Z", "rejected.Y") and scene, method, samples,
+ * seed, seconds and version as attributes; .png is sRGB, 8 bit, dithered. */
+LOBE_API lobe_render_result lobe_film_write(const lobe_film *film, const char *path,
+                                            lobe_film_write_options options);
+
+/* Read .exr, .hdr or .pfm (colour only) to compare with. To be freed by lobe_film_free. */
+LOBE_API lobe_render_result lobe_film_read(const char *path, lobe_film **film);
+
+typedef struct lobe_film_difference {
+    double rmse;           /* root of the mean squared difference of all channels */
+    double relative_mse;   /* mean of (a - b)^2 / (b^2 + 0.01), b the reference */
+    double mean;           /* of all channels of the film, */
+    double mean_reference; /* and of the reference */
+    double largest;        /* greatest absolute difference */
+} lobe_film_difference;
+
+/* Difference of `film` from `reference`; LOBE_RENDER_BAD_INPUT if their sizes differ. */
+LOBE_API lobe_render_result lobe_film_compare(const lobe_film *film, const lobe_film *reference,
+                                              lobe_film_difference *difference);
+
+LOBE_END_C
+
+#endif
