@@ -1,0 +1,13 @@
+/* lobe/lobe.h: all of the mathematics library. The renderer and the verifier have headers of their
+ * own: lobe/render.h, lobe/verify.h. */
+#ifndef LOBE_LOBE_H
+#define LOBE_LOBE_H
+
+#include "fresnel.h"
+#include "ggx.h"
+#include "methods.h"
+#include "random.h"
+#include "types.h"
+#include "version.h"
+
+#endif

@@ -1,0 +1,61 @@
+/* kernel/bind/c.h: what the two C bindings share. Helpers are functions, not macros: a macro `min`
+ * evaluates its arguments twice and made gcc give up on vectorising. */
+#ifndef K_BIND_C_H
+#define K_BIND_C_H
+
+#include <stdbool.h>
+#include <stdint.h>
+#include <string.h>
+
+#define K_FN static inline
+#define K_STRUCT(name)                                                                             \
+    typedef struct name name;                                                                      \
+    struct name
+
+K_FN real k_select(bool condition, real yes, real no)
+{
+    return condition ? yes : no;
+}
+
+K_FN real k_min(real a, real b)
+{
+    return a < b ? a : b;
+}
+
+K_FN real k_max(real a, real b)
+{
+    return a > b ? a : b;
+}
+
+K_FN real k_abs(real x)
+{
+    return x < R(0.0) ? -x : x;
+}
+
+/* The SSE2 baseline has no packed floor: by conversion, for |x| below the integer range. */
+K_FN real k_floor(real x)
+{
+    real whole = (real)(kint)x;
+    return whole > x ? whole - R(1.0) : whole;
+}
+
+K_FN kint k_bits(real x)
+{
+    kint bits;
+    memcpy(&bits, &x, sizeof bits);
+    return bits;
+}
+
+K_FN real k_from_bits(kint bits)
+{
+    real x;
+    memcpy(&x, &bits, sizeof x);
+    return x;
+}
+
+K_FN real k_from_int(kint n)
+{
+    return (real)n;
+}
+
+#endif

@@ -1,0 +1,29 @@
+/* kernel/bind/c_f64.h: the kernel's words in C, double precision. */
+#ifndef K_BIND_C_F64_H
+#define K_BIND_C_F64_H
+
+#include <stdint.h>
+
+typedef double real;
+typedef int64_t kint;
+
+#define R(x) x
+#define K_INT(x) INT64_C(x)
+/* 64 bits by halves: glslang refuses a longer literal even where the preprocessor skips it. */
+#define K_INT_PAIR(high, low) ((kint)(UINT64_C(high) << 32 | UINT64_C(low)))
+#define K_IS_F64 1
+#define K_MANTISSA_BITS 52
+#define K_EXPONENT_BIAS 1023
+#define K_EPS R(2.220446049250313e-16)
+#define K_BELOW_ONE R(0.9999999999999999)
+#define K_TINY R(1e-290)
+#define K_HUGE R(1e290)
+
+#include "c.h"
+
+K_FN real k_sqrt(real x)
+{
+    return __builtin_sqrt(x);
+}
+
+#endif

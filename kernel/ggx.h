@@ -1,0 +1,227 @@
+/* kernel/ggx.h: the Smith-GGX model: what does not depend on how one samples it.
+ *
+ * i = wi, o = wo, A = diag(alpha_x, alpha_y, 1), t_v = |A v|, i_std = A i / t_i: the direction in the
+ * stretched space where the microsurface is a hemisphere (Heitz 2018).
+ *
+ *   D(m)  = 1 / (pi ax ay (mx^2/ax^2 + my^2/ay^2 + mz^2)^2)                  (Walter et al. 2007)
+ *   V(i)  = i_z + t_i = 2 * visible area, valid for either sign of i_z        (Tokuyoshi 2021)
+ *   Dv(m) = 2 <i,m> D(m) / V(i)                          density of the visible normals
+ *   p(o)  = Dv(m) / (4 <i,m>) = D(m) / (2 V(i))          <i,m> cancels and is never computed
+ *   f cos = D(m) / (2 V(i)) * G2/G1(i)                   F = 1
+ *
+ * G2/G1 is written so that nothing cancels and nothing is divided by a cosine. */
+#ifndef K_GGX_H
+#define K_GGX_H
+
+#include "vec.h"
+
+#define GGX_ALPHA_MIN R(1e-4)
+#define GGX_ALPHA_MAX R(1e4)
+
+/* A shading point: what every sampler and density needs of (i, alpha). */
+K_STRUCT(ggx_base)
+{
+    v3 wi;
+    real ax;
+    real ay;
+    v3 i_std;
+    real t_i;
+    real rho2;             /* i_std.x^2 + i_std.y^2 */
+    real one_plus_z;       /* 1 + i_std.z and 1 - i_std.z, */
+    real one_minus_z;      /* each without cancellation */
+    real visible;          /* V(i) */
+    real density_bias;     /* density / what is sampled; 1 but for the previous normalisation */
+    bool separable;
+    bool valid;
+    bool mirror;
+};
+
+/* A pair of directions seen from the microsurface. */
+K_STRUCT(ggx_pair)
+{
+    v3 m;
+    v3 wo;
+    real cos_im;
+    real d;
+    bool leaves;           /* m faces i, and o is above the surface */
+};
+
+/* What a draw gives. */
+K_STRUCT(ggx_draw)
+{
+    v3 m;
+    v3 wo;
+    real cos_im;
+    real pdf_m;
+    real pdf;
+    real weight;
+};
+
+K_FN real ggx_alpha_floor(real alpha)
+{
+    return k_min(k_max(alpha, GGX_ALPHA_MIN), GGX_ALPHA_MAX);
+}
+
+K_FN v3 ggx_stretch(v3 v, real ax, real ay)
+{
+    return v3_of(ax * v.x, ay * v.y, v.z);
+}
+
+K_FN bool ggx_inputs_usable(v3 wi, real ax, real ay)
+{
+    real norm2 = v3_dot(wi, wi);
+    return ax >= R(0.0) && ay >= R(0.0) && k_is_finite(ax) && k_is_finite(ay) &&
+           norm2 > R(0.98) && norm2 < R(1.02);
+}
+
+/* separable, previous: choices of G2 and of the normaliser, see lobe/ggx.h */
+K_FN ggx_base ggx_base_of(v3 wi, real alpha_x, real alpha_y, bool separable, bool previous)
+{
+    bool usable = ggx_inputs_usable(wi, alpha_x, alpha_y);
+    ggx_base g;
+    g.wi = v3_select(usable, wi, v3_of(R(0.0), R(0.0), R(1.0)));
+    g.ax = ggx_alpha_floor(k_select(usable, alpha_x, R(1.0)));
+    g.ay = ggx_alpha_floor(k_select(usable, alpha_y, R(1.0)));
+    v3 stretched = ggx_stretch(g.wi, g.ax, g.ay);
+    real z = stretched.z;
+    real xy2 = stretched.x * stretched.x + stretched.y * stretched.y;
+    g.t_i = k_sqrt(xy2 + z * z);
+    g.i_std = v3_scale(stretched, R(1.0) / g.t_i);
+    g.rho2 = g.i_std.x * g.i_std.x + g.i_std.y * g.i_std.y;
+    real larger = R(1.0) + k_abs(g.i_std.z);
+    real smaller = g.rho2 / larger;
+    g.one_plus_z = k_select(z < R(0.0), smaller, larger);
+    g.one_minus_z = k_select(z < R(0.0), larger, smaller);
+    g.visible = g.t_i * g.one_plus_z;
+    g.density_bias = k_select(previous && z < R(0.0), smaller / larger, R(1.0));
+    g.separable = separable;
+    /* straight from below nothing is visible */
+    g.valid = usable && g.visible > R(1e6) * K_TINY;
+    g.visible = k_select(g.valid, g.visible, R(1.0));
+    g.mirror = usable && alpha_x < GGX_ALPHA_MIN && alpha_y < GGX_ALPHA_MIN;
+    return g;
+}
+
+/* D of a unit m */
+K_FN real ggx_d(v3 m, real ax, real ay)
+{
+    real x = m.x / ax;
+    real y = m.y / ay;
+    real e = x * x + y * y + m.z * m.z;
+    return k_select(m.z > R(0.0), R(1.0) / (K_PI * ax * ay * e * e), R(0.0));
+}
+
+/* D of the normal along A h (h any length): |A h|^2/|h|^2 is all it takes */
+K_FN real ggx_d_stretched(real ah2_over_h2, real ax, real ay)
+{
+    return ah2_over_h2 * ah2_over_h2 * (R(1.0) / (K_PI * ax * ay));
+}
+
+K_FN real ggx_t(v3 v, real ax, real ay)
+{
+    v3 a = ggx_stretch(v, ax, ay);
+    return k_sqrt(v3_dot(a, a));
+}
+
+/* Lambda of a direction above the surface; without the cancellation of (sqrt(1 + x) - 1)/2 */
+K_FN real ggx_lambda(v3 v, real ax, real ay)
+{
+    real x = ax * v.x;
+    real y = ay * v.y;
+    real tan2 = (x * x + y * y) / (v.z * v.z);
+    return R(0.5) * tan2 / (R(1.0) + k_sqrt(R(1.0) + tan2));
+}
+
+/* G1 of o: 2 o_z/(o_z + t_o); 0 from below */
+K_FN real ggx_g1_out(v3 wo, real ax, real ay)
+{
+    return k_select(wo.z > R(0.0), R(2.0) * wo.z / (wo.z + ggx_t(wo, ax, ay)), R(0.0));
+}
+
+/* G1 of i, normalised for either side: 2|i_z|/V(i). Above 1 for i_z < 0: it is a normaliser there. */
+K_FN real ggx_g1_in(ggx_base g)
+{
+    return R(2.0) * k_abs(g.wi.z) / g.visible;
+}
+
+/* G2(i,o)/G1(i) for o above the surface */
+K_FN real ggx_shadowing(ggx_base g, v3 wo)
+{
+    real t_o = ggx_t(wo, g.ax, g.ay);
+    real separable = R(2.0) * wo.z / (wo.z + t_o);
+    /* from behind height correlation has no meaning: its limit i_z -> 0 */
+    real i_z = k_max(g.wi.z, R(0.0));
+    real correlated = wo.z * (i_z + g.t_i) / (g.t_i * wo.z + t_o * i_z);
+    return k_select(g.separable, separable, correlated);
+}
+
+/* f cos of a pair that leaves the surface; 0 of any other */
+K_FN real ggx_f_cos(ggx_base g, ggx_pair pair)
+{
+    real value = pair.d * ggx_shadowing(g, pair.wo) / (R(2.0) * g.visible);
+    return k_select(g.valid && pair.leaves, k_usable(value), R(0.0));
+}
+
+/* The pair of a given o. Straight back (o = -i) has no half vector: it does not leave. */
+K_FN ggx_pair ggx_pair_of_wo(ggx_base g, v3 wo)
+{
+    v3 h = v3_add(g.wi, wo);
+    real h2 = v3_dot(h, h);
+    real safe_h2 = k_max(h2, K_TINY);
+    real inv = R(1.0) / k_sqrt(safe_h2);
+    real side = k_sign(h.z);
+    v3 w = v3_of(h.x / g.ax, h.y / g.ay, h.z);
+    ggx_pair pair;
+    pair.wo = wo;
+    pair.m = v3_scale(h, inv * side);
+    pair.cos_im = v3_dot(g.wi, h) * inv * side;
+    pair.d = ggx_d_stretched(safe_h2 / k_max(v3_dot(w, w), K_TINY), g.ax, g.ay);
+    pair.leaves = wo.z > R(0.0) && h.z > R(0.0) && h2 > K_TINY && pair.cos_im > R(0.0);
+    return pair;
+}
+
+/* The pair of a given m: o is i reflected about it, wherever that lies. */
+K_FN ggx_pair ggx_pair_of_m(ggx_base g, v3 m)
+{
+    ggx_pair pair;
+    pair.m = m;
+    pair.cos_im = v3_dot(g.wi, m);
+    pair.wo = v3_sub(v3_scale(m, R(2.0) * pair.cos_im), g.wi);
+    pair.d = ggx_d(m, g.ax, g.ay);
+    pair.leaves = pair.wo.z > R(0.0) && m.z > R(0.0) && pair.cos_im > R(0.0);
+    return pair;
+}
+
+/* The pair of a normal drawn in the stretched space: m along A h, h of any length, i_h = i_std . h.
+ * Neither h nor o is normalised: o comes out as 2 (i.m) m - i in one step. */
+K_FN ggx_pair ggx_pair_of_stretched(ggx_base g, v3 h, real i_h)
+{
+    v3 ah = ggx_stretch(h, g.ax, g.ay);
+    real h2 = v3_dot(h, h);
+    real ah2 = k_max(v3_dot(ah, ah), K_TINY);
+    real inv = R(1.0) / k_sqrt(ah2);
+    ggx_pair pair;
+    pair.m = v3_scale(ah, inv);
+    pair.cos_im = g.t_i * i_h * inv;
+    pair.wo = v3_sub(v3_scale(pair.m, R(2.0) * pair.cos_im), g.wi);
+    real d = ggx_d_stretched(ah2 / k_max(h2, K_TINY), g.ax, g.ay);
+    pair.d = k_select(h.z >= R(0.0), d, R(0.0));
+    pair.leaves = pair.wo.z > R(0.0) && pair.cos_im > R(0.0) && h2 > K_TINY;
+    return pair;
+}
+
+/* A draw from its pair and the two densities of the method there. */
+K_FN ggx_draw ggx_draw_of(ggx_base g, ggx_pair pair, real pdf_m, real pdf)
+{
+    ggx_draw draw;
+    bool valid = g.valid && pair.leaves && k_usable(pdf) > R(0.0);
+    draw.m = pair.m;
+    draw.wo = pair.wo;
+    draw.cos_im = pair.cos_im;
+    draw.pdf_m = k_select(g.valid, k_usable(pdf_m), R(0.0));
+    draw.pdf = k_select(valid, pdf, R(0.0));
+    draw.weight = k_select(valid, k_usable(ggx_f_cos(g, pair) / pdf), R(0.0));
+    return draw;
+}
+
+#endif

@@ -1,0 +1,92 @@
+/* kernel/ggx_slope.h: visible normals in slope space (Heitz & d'Eon 2014, section 4), exactly.
+ *
+ * In the stretched frame turned to the azimuth of i (i = (sin t, 0, cos t)), the slope along i has
+ * the distribution (cos t + sin(t + xi))/(1 + cos t) of its angle xi = atan(x), so
+ *     t + xi = asin a,  a = u1 (1 + cos t) - cos t:
+ * no sign choice, no tangent of t, no pole; the paper's two roots and their NaNs are not needed.
+ * The other slope is z sqrt(1 + x^2) with z = cot(e/2), e - sin e = 2 pi (1 - u2) on the upper half:
+ * the exact inverse of the paper's C_z (kernel/kepler.h).
+ * The normal is (-sin xi sin(e/2), -+cos(e/2), cos xi sin(e/2)): finite for every u. */
+#ifndef K_GGX_SLOPE_H
+#define K_GGX_SLOPE_H
+
+#include "ggx_visible.h"
+#include "kepler.h"
+
+K_STRUCT(ggx_slope)
+{
+    ggx_base g;
+    real sin_t;
+    real azimuth_x;
+    real azimuth_y;
+};
+
+K_FN ggx_slope ggx_slope_prepare(ggx_base g)
+{
+    ggx_slope s;
+    bool off_normal = g.rho2 > K_TINY;
+    s.g = g;
+    s.sin_t = k_select(off_normal, k_sqrt(k_max(g.rho2, K_TINY)), R(0.0));
+    real inv_rho = R(1.0) / k_max(s.sin_t, K_TINY);
+    s.azimuth_x = k_select(off_normal, g.i_std.x * inv_rho, R(1.0));
+    s.azimuth_y = k_select(off_normal, g.i_std.y * inv_rho, R(0.0));
+    return s;
+}
+
+K_FN real ggx_slope_pdf(ggx_slope s, ggx_pair pair)
+{
+    return ggx_visible_pdf(s.g, pair, s.g.one_plus_z);
+}
+
+K_FN real ggx_slope_pdf_m(ggx_slope s, ggx_pair pair)
+{
+    return ggx_visible_pdf_m(s.g, pair, s.g.one_plus_z);
+}
+
+K_FN real ggx_slope_acceptance(ggx_slope s)
+{
+    return ggx_visible_acceptance(s.g, s.g.one_plus_z);
+}
+
+/* The angle xi of the slope along i, as sine and cosine, and cos(t + xi). */
+K_STRUCT(ggx_slope_along)
+{
+    real s;
+    real c;
+    real cos_sum;
+};
+
+K_FN ggx_slope_along ggx_slope_along_of(ggx_slope s, real u1)
+{
+    real one_minus_a = (R(1.0) - u1) * s.g.one_plus_z;
+    real one_plus_a = u1 * s.g.one_plus_z + s.g.one_minus_z;
+    real a = u1 * s.g.one_plus_z - s.g.i_std.z;
+    ggx_slope_along x;
+    x.cos_sum = k_sqrt(one_minus_a * one_plus_a);
+    x.s = a * s.g.i_std.z - x.cos_sum * s.sin_t;
+    x.c = k_max(x.cos_sum * s.g.i_std.z + a * s.sin_t, R(0.0));
+    return x;
+}
+
+/* The draw from both slopes: along i by xi, across as the angle e/2 and a sign. */
+K_FN ggx_draw ggx_slope_draw_of(ggx_slope s, ggx_slope_along x, k_sincos half_e, real side)
+{
+    real along = -x.s * half_e.s;
+    real across = -side * half_e.c;
+    v3 h = v3_of(s.azimuth_x * along - s.azimuth_y * across,
+                 s.azimuth_y * along + s.azimuth_x * across, x.c * half_e.s);
+    ggx_pair pair = ggx_pair_of_stretched(s.g, h, x.cos_sum * half_e.s);
+    return ggx_visible_draw(s.g, pair, s.g.one_plus_z);
+}
+
+K_FN ggx_draw ggx_slope_draw(ggx_slope s, real u1, real u2, real u3)
+{
+    bool upper = u2 > R(0.5);
+    real tail = k_select(upper, R(1.0) - u2, u2);
+    real e = k_kepler(R(2.0) * K_PI * tail);
+    k_sincos half_e = k_sincos_2pi(e * (R(0.25) * K_INV_PI));
+    return ggx_slope_draw_of(s, ggx_slope_along_of(s, u1), half_e,
+                             k_select(upper, R(1.0), R(-1.0)));
+}
+
+#endif

@@ -1,0 +1,61 @@
+/* kernel/trig.h: sine and cosine of 2 pi u. The angle is taken in turns: the reduction to an eighth
+ * of a turn is exact, and no pi is lost. Polynomials: tools/numerics/coefficients.py. */
+#ifndef K_TRIG_H
+#define K_TRIG_H
+
+#include "scalar.h"
+
+K_STRUCT(k_sincos)
+{
+    real s;
+    real c;
+};
+
+/* sin(2 pi r) for |r| <= 1/8, x = r^2 */
+K_FN real k_sin_eighth(real r, real x)
+{
+#if K_IS_F64
+    real p = R(-15.093804209987113512) + x * R(3.7808689593022955184);
+    p = R(-76.705859704274550647) + x * (R(42.058685020160894047) + x * p);
+    p = R(-41.341702240399636207) + x * (R(81.605249275948035209) + x * p);
+    return r * (R(6.2831853071795864572) + x * p);
+#else
+    real p = R(81.592542871301543294) + x * R(-75.401612702747458455);
+    p = R(-41.341662570547954912) + x * p;
+    return r * (R(6.2831852878129467414) + x * p);
+#endif
+}
+
+/* cos(2 pi r) for |r| <= 1/8, x = r^2 */
+K_FN real k_cos_eighth(real x)
+{
+#if K_IS_F64
+    real p = R(7.9030916877516976361) + x * R(-1.6968494702918826806);
+    p = R(60.24464132886729332) + x * (R(-26.426250908622135959) + x * p);
+    p = R(64.939394022667957529) + x * (R(-85.456817206522712487) + x * p);
+    return R(1.0) + x * (R(-19.739208802178716989) + x * p);
+#else
+    real p = R(-85.442844673081659515) + x * R(59.220168958296096218);
+    p = R(64.939316135709049629) + x * p;
+    return R(1.0) + x * (R(-19.739208650130595513) + x * p);
+#endif
+}
+
+/* u in [-4, 4] */
+K_FN k_sincos k_sincos_2pi(real u)
+{
+    real quarter = k_floor(R(4.0) * u + R(0.5));
+    real r = u - R(0.25) * quarter;
+    real x = r * r;
+    real s = k_sin_eighth(r, x);
+    real c = k_cos_eighth(x);
+    real half_turns = k_floor(R(0.5) * quarter);
+    bool swaps = quarter - R(2.0) * half_turns > R(0.5);
+    real sign = R(1.0) - R(2.0) * (half_turns - R(2.0) * k_floor(R(0.5) * half_turns));
+    k_sincos result;
+    result.s = sign * k_select(swaps, c, s);
+    result.c = sign * k_select(swaps, -s, c);
+    return result;
+}
+
+#endif
