@@ -7,6 +7,9 @@
 #include <stdint.h>
 #include <string.h>
 
+/* All methods have one signature: what a method does not need it still takes. */
+#pragma GCC diagnostic ignored "-Wunused-parameter"
+
 #define K_FN static inline
 #define K_STRUCT(name)                                                                             \
     typedef struct name name;                                                                      \

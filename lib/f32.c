@@ -1,0 +1,7 @@
+/* lib/f32.c: the library in single precision. */
+#include "../kernel/bind/c_f32.h"
+
+#define LOBE_NAME(stem) lobe_##stem##_f32
+
+#include "fresnel_template.h"
+#include "ggx_template.h"

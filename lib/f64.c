@@ -1,0 +1,7 @@
+/* lib/f64.c: the library in double precision. */
+#include "../kernel/bind/c_f64.h"
+
+#define LOBE_NAME(stem) lobe_##stem##_f64
+
+#include "fresnel_template.h"
+#include "ggx_template.h"
