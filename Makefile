@@ -1,0 +1,24 @@
+# The front door. The build itself is CMake's; see CMakePresets.json.
+
+.PHONY: all demo check clean help
+
+all:
+	@tools/setup.sh build
+	@cmake --preset release --log-level=NOTICE
+	@cmake --build --preset release --target lobe lobe_static lobe_shared
+
+demo: all
+	@tools/demo.sh
+
+check:
+	@tools/setup.sh check
+	@tools/check.sh
+
+clean:
+	rm -rf build
+
+help:
+	@echo "make         build/lobe, build/liblobe.a and build/liblobe.so"
+	@echo "make demo    render pictures and compare the methods"
+	@echo "make check   every build, check and test"
+	@echo "make clean   remove build/"
