@@ -5,48 +5,41 @@
 #include "log.h"
 #include "scalar.h"
 
-K_FN real fresnel_fifth_power(real x)
-{
+K_FN real fresnel_fifth_power(real x) {
     real x2 = x * x;
     return x2 * x2 * x;
 }
 
 /* Schlick 1994, eq. 15 */
-K_FN real fresnel_schlick(real f0, real cos_i)
-{
+K_FN real fresnel_schlick(real f0, real cos_i) {
     return f0 + (R(1.0) - f0) * fresnel_fifth_power(R(1.0) - k_saturate(cos_i));
 }
 
-K_FN real fresnel_schlick_average(real f0)
-{
+K_FN real fresnel_schlick_average(real f0) {
     return f0 + (R(1.0) - f0) * R(0.047619047619047619);
 }
 
 /* What F82 takes away: b mu (1 - mu)^6, chosen so that F(1/7) = tint * Schlick(1/7). */
-K_FN real fresnel_f82_b(real f0, real tint)
-{
+K_FN real fresnel_f82_b(real f0, real tint) {
     real at_82 = fresnel_schlick(f0, R(0.14285714285714285714));
     /* (1/7) (6/7)^6 */
     return at_82 * (R(1.0) - tint) * R(17.651383530521262003);
 }
 
-K_FN real fresnel_f82(real f0, real tint, real cos_i)
-{
+K_FN real fresnel_f82(real f0, real tint, real cos_i) {
     real mu = k_saturate(cos_i);
     real away = R(1.0) - mu;
     real sixth = fresnel_fifth_power(away) * away;
     return k_saturate(fresnel_schlick(f0, mu) - fresnel_f82_b(f0, tint) * mu * sixth);
 }
 
-K_FN real fresnel_f82_average(real f0, real tint)
-{
+K_FN real fresnel_f82_average(real f0, real tint) {
     return fresnel_schlick_average(f0) - fresnel_f82_b(f0, tint) * R(0.0079365079365079365);
 }
 
 /* Exact dielectric. The numerators are written with g - c, g^2 = ior^2 - 1 + c^2, so that they do not
  * cancel for an index near 1. */
-K_FN real fresnel_dielectric(real ior, real cos_i)
-{
+K_FN real fresnel_dielectric(real ior, real cos_i) {
     real c = k_saturate(cos_i);
     real n2m1 = (ior - R(1.0)) * (ior + R(1.0));
     real g2 = n2m1 + c * c;
@@ -62,8 +55,7 @@ K_FN real fresnel_dielectric(real ior, real cos_i)
 
 /* The average is smooth(n) + log term. Near n = 1 the smooth part cancels: there it is d p(d),
  * d = n - 1 in [0, 1/2] (tools/numerics/coefficients.py). */
-K_FN real fresnel_average_near_one(real d)
-{
+K_FN real fresnel_average_near_one(real d) {
 #if K_IS_F64
     real p = R(0.14988283249629284648) + d * R(-0.029810945997891402047);
     p = R(0.44593409900260875199) + d * (R(-0.34473220303671576556) + d * p);
@@ -84,8 +76,7 @@ K_FN real fresnel_average_near_one(real d)
 }
 
 /* The smooth part for n >= 3/2, x = 1/n. */
-K_FN real fresnel_average_smooth(real x)
-{
+K_FN real fresnel_average_smooth(real x) {
     real x2 = x * x;
     real x4 = x2 * x2;
     real first = (R(1.0) - x) * (R(3.0) + x) / (R(6.0) * k_square(R(1.0) + x));
@@ -96,21 +87,20 @@ K_FN real fresnel_average_smooth(real x)
 }
 
 /* n >= 1 (Duntley 1942; facts re-derived) */
-K_FN real fresnel_average_outside(real n)
-{
+K_FN real fresnel_average_outside(real n) {
     real x = R(1.0) / n;
     real x2 = x * x;
     real gap = (R(1.0) - x) * (R(1.0) + x);
     real ring = R(1.0) + x2;
     real log_term = gap * gap / (ring * ring * ring) * k_log((R(1.0) - x) / (R(1.0) + x));
     real far = fresnel_average_smooth(k_min(x, R(0.7)));
-    real smooth_part = k_select(n < R(1.5), fresnel_average_near_one(k_min(n, R(1.5)) - R(1.0)), far);
+    real smooth_part =
+        k_select(n < R(1.5), fresnel_average_near_one(k_min(n, R(1.5)) - R(1.0)), far);
     return k_saturate(smooth_part + log_term);
 }
 
 /* Inside: 1 - (1 - F_avg(n))/n^2 with n the inverse index. */
-K_FN real fresnel_dielectric_average(real ior)
-{
+K_FN real fresnel_dielectric_average(real ior) {
     real n = k_max(ior, R(1.0) / k_max(ior, K_TINY));
     real outside = fresnel_average_outside(n);
     real inside = R(1.0) - (R(1.0) - outside) / (n * n);
@@ -118,8 +108,7 @@ K_FN real fresnel_dielectric_average(real ior)
 }
 
 /* Exact unpolarised conductor of index n + i k. */
-K_FN real fresnel_conductor(real n, real k, real cos_i)
-{
+K_FN real fresnel_conductor(real n, real k, real cos_i) {
     real c = k_saturate(cos_i);
     real c2 = c * c;
     real s2 = R(1.0) - c2;

@@ -19,36 +19,33 @@
 #define GGX_ALPHA_MAX R(1e4)
 
 /* A shading point: what every sampler and density needs of (i, alpha). */
-K_STRUCT(ggx_base)
-{
+K_STRUCT(ggx_base) {
     v3 wi;
     real ax;
     real ay;
     v3 i_std;
     real t_i;
-    real rho2;             /* i_std.x^2 + i_std.y^2 */
-    real one_plus_z;       /* 1 + i_std.z and 1 - i_std.z, */
-    real one_minus_z;      /* each without cancellation */
-    real visible;          /* V(i) */
-    real density_bias;     /* density / what is sampled; 1 but for the previous normalisation */
+    real rho2;         /* i_std.x^2 + i_std.y^2 */
+    real one_plus_z;   /* 1 + i_std.z and 1 - i_std.z, */
+    real one_minus_z;  /* each without cancellation */
+    real visible;      /* V(i) */
+    real density_bias; /* density / what is sampled; 1 but for the previous normalisation */
     bool separable;
     bool valid;
     bool mirror;
 };
 
 /* A pair of directions seen from the microsurface. */
-K_STRUCT(ggx_pair)
-{
+K_STRUCT(ggx_pair) {
     v3 m;
     v3 wo;
     real cos_im;
     real d;
-    bool leaves;           /* m faces i, and o is above the surface */
+    bool leaves; /* m faces i, and o is above the surface */
 };
 
 /* What a draw gives. */
-K_STRUCT(ggx_draw)
-{
+K_STRUCT(ggx_draw) {
     v3 m;
     v3 wo;
     real cos_im;
@@ -57,26 +54,22 @@ K_STRUCT(ggx_draw)
     real weight;
 };
 
-K_FN real ggx_alpha_floor(real alpha)
-{
+K_FN real ggx_alpha_floor(real alpha) {
     return k_min(k_max(alpha, GGX_ALPHA_MIN), GGX_ALPHA_MAX);
 }
 
-K_FN v3 ggx_stretch(v3 v, real ax, real ay)
-{
+K_FN v3 ggx_stretch(v3 v, real ax, real ay) {
     return v3_of(ax * v.x, ay * v.y, v.z);
 }
 
-K_FN bool ggx_inputs_usable(v3 wi, real ax, real ay)
-{
+K_FN bool ggx_inputs_usable(v3 wi, real ax, real ay) {
     real norm2 = v3_dot(wi, wi);
-    return ax >= R(0.0) && ay >= R(0.0) && k_is_finite(ax) && k_is_finite(ay) &&
-           norm2 > R(0.98) && norm2 < R(1.02);
+    return ax >= R(0.0) && ay >= R(0.0) && k_is_finite(ax) && k_is_finite(ay) && norm2 > R(0.98) &&
+           norm2 < R(1.02);
 }
 
 /* separable, previous: choices of G2 and of the normaliser, see lobe/ggx.h */
-K_FN ggx_base ggx_base_of(v3 wi, real alpha_x, real alpha_y, bool separable, bool previous)
-{
+K_FN ggx_base ggx_base_of(v3 wi, real alpha_x, real alpha_y, bool separable, bool previous) {
     bool usable = ggx_inputs_usable(wi, alpha_x, alpha_y);
     ggx_base g;
     g.wi = v3_select(usable, wi, v3_of(R(0.0), R(0.0), R(1.0)));
@@ -103,8 +96,7 @@ K_FN ggx_base ggx_base_of(v3 wi, real alpha_x, real alpha_y, bool separable, boo
 }
 
 /* D of a unit m */
-K_FN real ggx_d(v3 m, real ax, real ay)
-{
+K_FN real ggx_d(v3 m, real ax, real ay) {
     real x = m.x / ax;
     real y = m.y / ay;
     real e = x * x + y * y + m.z * m.z;
@@ -112,20 +104,17 @@ K_FN real ggx_d(v3 m, real ax, real ay)
 }
 
 /* D of the normal along A h (h any length): |A h|^2/|h|^2 is all it takes */
-K_FN real ggx_d_stretched(real ah2_over_h2, real ax, real ay)
-{
+K_FN real ggx_d_stretched(real ah2_over_h2, real ax, real ay) {
     return ah2_over_h2 * ah2_over_h2 * (R(1.0) / (K_PI * ax * ay));
 }
 
-K_FN real ggx_t(v3 v, real ax, real ay)
-{
+K_FN real ggx_t(v3 v, real ax, real ay) {
     v3 a = ggx_stretch(v, ax, ay);
     return k_sqrt(v3_dot(a, a));
 }
 
 /* Lambda of a direction above the surface; without the cancellation of (sqrt(1 + x) - 1)/2 */
-K_FN real ggx_lambda(v3 v, real ax, real ay)
-{
+K_FN real ggx_lambda(v3 v, real ax, real ay) {
     real x = ax * v.x;
     real y = ay * v.y;
     real tan2 = (x * x + y * y) / (v.z * v.z);
@@ -133,20 +122,17 @@ K_FN real ggx_lambda(v3 v, real ax, real ay)
 }
 
 /* G1 of o: 2 o_z/(o_z + t_o); 0 from below */
-K_FN real ggx_g1_out(v3 wo, real ax, real ay)
-{
+K_FN real ggx_g1_out(v3 wo, real ax, real ay) {
     return k_select(wo.z > R(0.0), R(2.0) * wo.z / (wo.z + ggx_t(wo, ax, ay)), R(0.0));
 }
 
 /* G1 of i, normalised for either side: 2|i_z|/V(i). Above 1 for i_z < 0: it is a normaliser there. */
-K_FN real ggx_g1_in(ggx_base g)
-{
+K_FN real ggx_g1_in(ggx_base g) {
     return R(2.0) * k_abs(g.wi.z) / g.visible;
 }
 
 /* G2(i,o)/G1(i) for o above the surface */
-K_FN real ggx_shadowing(ggx_base g, v3 wo)
-{
+K_FN real ggx_shadowing(ggx_base g, v3 wo) {
     real t_o = ggx_t(wo, g.ax, g.ay);
     real separable = R(2.0) * wo.z / (wo.z + t_o);
     /* from behind height correlation has no meaning: its limit i_z -> 0 */
@@ -156,15 +142,13 @@ K_FN real ggx_shadowing(ggx_base g, v3 wo)
 }
 
 /* f cos of a pair that leaves the surface; 0 of any other */
-K_FN real ggx_f_cos(ggx_base g, ggx_pair pair)
-{
+K_FN real ggx_f_cos(ggx_base g, ggx_pair pair) {
     real value = pair.d * ggx_shadowing(g, pair.wo) / (R(2.0) * g.visible);
     return k_select(g.valid && pair.leaves, k_usable(value), R(0.0));
 }
 
 /* The pair of a given o. Straight back (o = -i) has no half vector: it does not leave. */
-K_FN ggx_pair ggx_pair_of_wo(ggx_base g, v3 wo)
-{
+K_FN ggx_pair ggx_pair_of_wo(ggx_base g, v3 wo) {
     v3 h = v3_add(g.wi, wo);
     real h2 = v3_dot(h, h);
     real safe_h2 = k_max(h2, K_TINY);
@@ -181,8 +165,7 @@ K_FN ggx_pair ggx_pair_of_wo(ggx_base g, v3 wo)
 }
 
 /* The pair of a given m: o is i reflected about it, wherever that lies. */
-K_FN ggx_pair ggx_pair_of_m(ggx_base g, v3 m)
-{
+K_FN ggx_pair ggx_pair_of_m(ggx_base g, v3 m) {
     ggx_pair pair;
     pair.m = m;
     pair.cos_im = v3_dot(g.wi, m);
@@ -194,8 +177,7 @@ K_FN ggx_pair ggx_pair_of_m(ggx_base g, v3 m)
 
 /* The pair of a normal drawn in the stretched space: m along A h, h of any length, i_h = i_std . h.
  * Neither h nor o is normalised: o comes out as 2 (i.m) m - i in one step. */
-K_FN ggx_pair ggx_pair_of_stretched(ggx_base g, v3 h, real i_h)
-{
+K_FN ggx_pair ggx_pair_of_stretched(ggx_base g, v3 h, real i_h) {
     v3 ah = ggx_stretch(h, g.ax, g.ay);
     real h2 = v3_dot(h, h);
     real ah2 = k_max(v3_dot(ah, ah), K_TINY);
@@ -211,8 +193,7 @@ K_FN ggx_pair ggx_pair_of_stretched(ggx_base g, v3 h, real i_h)
 }
 
 /* A draw from its pair and the two densities of the method there. */
-K_FN ggx_draw ggx_draw_of(ggx_base g, ggx_pair pair, real pdf_m, real pdf)
-{
+K_FN ggx_draw ggx_draw_of(ggx_base g, ggx_pair pair, real pdf_m, real pdf) {
     ggx_draw draw;
     bool valid = g.valid && pair.leaves && k_usable(pdf) > R(0.0);
     draw.m = pair.m;

@@ -8,43 +8,36 @@
 
 #include "ggx_cap.h"
 
-K_STRUCT(ggx_bounded)
-{
+K_STRUCT(ggx_bounded) {
     ggx_cap cap;
 };
 
-K_FN real ggx_bounded_one_minus_k(ggx_base g)
-{
+K_FN real ggx_bounded_one_minus_k(ggx_base g) {
     real a = k_min(k_min(g.ax, g.ay), R(1.0));
     real s = R(1.0) + k_min(k_sqrt(g.wi.x * g.wi.x + g.wi.y * g.wi.y), R(1.0));
     real one_minus_k = R(2.0) * a * a / (s + a * a * (R(2.0) - s));
     return k_select(g.wi.z > R(0.0), one_minus_k, R(0.0));
 }
 
-K_FN ggx_bounded ggx_bounded_prepare(ggx_base g)
-{
+K_FN ggx_bounded ggx_bounded_prepare(ggx_base g) {
     ggx_bounded s;
     s.cap = ggx_cap_of(g, ggx_bounded_one_minus_k(g));
     return s;
 }
 
-K_FN real ggx_bounded_pdf(ggx_bounded s, ggx_pair pair)
-{
+K_FN real ggx_bounded_pdf(ggx_bounded s, ggx_pair pair) {
     return ggx_cap_pdf(s.cap, pair);
 }
 
-K_FN real ggx_bounded_pdf_m(ggx_bounded s, ggx_pair pair)
-{
+K_FN real ggx_bounded_pdf_m(ggx_bounded s, ggx_pair pair) {
     return ggx_cap_pdf_m(s.cap, pair);
 }
 
-K_FN real ggx_bounded_acceptance(ggx_bounded s)
-{
+K_FN real ggx_bounded_acceptance(ggx_bounded s) {
     return ggx_cap_acceptance(s.cap);
 }
 
-K_FN ggx_draw ggx_bounded_draw(ggx_bounded s, real u1, real u2, real u3)
-{
+K_FN ggx_draw ggx_bounded_draw(ggx_bounded s, real u1, real u2, real u3) {
     return ggx_cap_draw(s.cap, u1, u2);
 }
 

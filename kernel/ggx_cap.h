@@ -10,17 +10,15 @@
 #include "ggx_visible.h"
 #include "trig.h"
 
-K_STRUCT(ggx_cap)
-{
+K_STRUCT(ggx_cap) {
     ggx_base g;
-    real spare;    /* (1 - k) i_std.z: what is cut off the cap of the visible normals */
-    real w;        /* 1 + k i_std.z: height of the cap */
-    real rest;     /* 1 - k i_std.z: what the cap leaves of the sphere's height 2 */
+    real spare; /* (1 - k) i_std.z: what is cut off the cap of the visible normals */
+    real w;     /* 1 + k i_std.z: height of the cap */
+    real rest;  /* 1 - k i_std.z: what the cap leaves of the sphere's height 2 */
 };
 
 /* one_minus_k in [0, 1]; 0 for i_z <= 0 */
-K_FN ggx_cap ggx_cap_of(ggx_base g, real one_minus_k)
-{
+K_FN ggx_cap ggx_cap_of(ggx_base g, real one_minus_k) {
     ggx_cap s;
     s.g = g;
     s.spare = one_minus_k * g.i_std.z;
@@ -29,25 +27,21 @@ K_FN ggx_cap ggx_cap_of(ggx_base g, real one_minus_k)
     return s;
 }
 
-K_FN real ggx_cap_pdf(ggx_cap s, ggx_pair pair)
-{
+K_FN real ggx_cap_pdf(ggx_cap s, ggx_pair pair) {
     return ggx_visible_pdf(s.g, pair, s.w);
 }
 
 /* A normal whose reflection leaves lies in the cap by construction; the others may not. */
-K_FN real ggx_cap_pdf_m(ggx_cap s, ggx_pair pair)
-{
+K_FN real ggx_cap_pdf_m(ggx_cap s, ggx_pair pair) {
     real depth = R(1.0) - ggx_stretched_out(s.g, pair.m).z;
     return k_select(pair.leaves || depth <= s.w, ggx_visible_pdf_m(s.g, pair, s.w), R(0.0));
 }
 
-K_FN real ggx_cap_acceptance(ggx_cap s)
-{
+K_FN real ggx_cap_acceptance(ggx_cap s) {
     return ggx_visible_acceptance(s.g, s.w);
 }
 
-K_FN ggx_draw ggx_cap_draw(ggx_cap s, real u1, real u2)
-{
+K_FN ggx_draw ggx_cap_draw(ggx_cap s, real u1, real u2) {
     k_sincos phi = k_sincos_2pi(u1);
     real depth = u2 * s.w;
     real rise = (R(1.0) - u2) * s.w;

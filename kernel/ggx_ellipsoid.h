@@ -8,16 +8,14 @@
 #include "ggx_visible.h"
 #include "trig.h"
 
-K_STRUCT(ggx_ellipsoid)
-{
+K_STRUCT(ggx_ellipsoid) {
     ggx_base g;
     real azimuth_x; /* direction of i_std in the plane */
     real azimuth_y;
     real rho;
 };
 
-K_FN ggx_ellipsoid ggx_ellipsoid_prepare(ggx_base g)
-{
+K_FN ggx_ellipsoid ggx_ellipsoid_prepare(ggx_base g) {
     ggx_ellipsoid s;
     bool off_normal = g.rho2 > K_TINY;
     s.g = g;
@@ -28,23 +26,19 @@ K_FN ggx_ellipsoid ggx_ellipsoid_prepare(ggx_base g)
     return s;
 }
 
-K_FN real ggx_ellipsoid_pdf(ggx_ellipsoid s, ggx_pair pair)
-{
+K_FN real ggx_ellipsoid_pdf(ggx_ellipsoid s, ggx_pair pair) {
     return ggx_visible_pdf(s.g, pair, s.g.one_plus_z);
 }
 
-K_FN real ggx_ellipsoid_pdf_m(ggx_ellipsoid s, ggx_pair pair)
-{
+K_FN real ggx_ellipsoid_pdf_m(ggx_ellipsoid s, ggx_pair pair) {
     return ggx_visible_pdf_m(s.g, pair, s.g.one_plus_z);
 }
 
-K_FN real ggx_ellipsoid_acceptance(ggx_ellipsoid s)
-{
+K_FN real ggx_ellipsoid_acceptance(ggx_ellipsoid s) {
     return ggx_visible_acceptance(s.g, s.g.one_plus_z);
 }
 
-K_FN ggx_draw ggx_ellipsoid_draw(ggx_ellipsoid s, real u1, real u2, real u3)
-{
+K_FN ggx_draw ggx_ellipsoid_draw(ggx_ellipsoid s, real u1, real u2, real u3) {
     real radius = k_sqrt(u1);
     k_sincos phi = k_sincos_2pi(u2);
     real x = radius * phi.c;

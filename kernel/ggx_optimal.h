@@ -17,23 +17,21 @@
 /* Halley steps: area within 1.001 of the optimum (tools/numerics/optimal_area.c). */
 #define GGX_OPTIMAL_STEPS 5
 
-K_STRUCT(ggx_optimal)
-{
+K_STRUCT(ggx_optimal) {
     ggx_base g;
     v3 axis;
     v3 across_x;
     v3 across_y;
-    real w;        /* 1 - kappa */
+    real w; /* 1 - kappa */
 };
 
 /* What the cap's free scalar needs: everything in the frame (e1, e2, i_std). */
-K_STRUCT(ggx_optimal_frame)
-{
+K_STRUCT(ggx_optimal_frame) {
     real mu1;
     real mu2;
-    real gap;      /* mu2 - mu1 */
-    real u1;       /* times i_z */
-    real u2;       /* times i_z, >= 0 */
+    real gap; /* mu2 - mu1 */
+    real u1;  /* times i_z */
+    real u2;  /* times i_z, >= 0 */
     real q0;
     v3 e1;
     v3 e2;
@@ -41,8 +39,7 @@ K_STRUCT(ggx_optimal_frame)
 
 /* A^2 restricted to the plane across i_std, diagonalised. In the basis t1 = (-y, x, 0), t2 = i x t1
  * (x, y the azimuth of i_std) every entry is a sum of positive terms or a product. */
-K_FN ggx_optimal_frame ggx_optimal_frame_of(ggx_base g)
-{
+K_FN ggx_optimal_frame ggx_optimal_frame_of(ggx_base g) {
     bool off_normal = g.rho2 > K_TINY;
     real rho = k_select(off_normal, k_sqrt(k_max(g.rho2, K_TINY)), R(0.0));
     real inv_rho = R(1.0) / k_max(rho, K_TINY);
@@ -90,14 +87,14 @@ K_FN ggx_optimal_frame ggx_optimal_frame_of(ggx_base g)
 
 /* The best f: the root of mu2 d f^3 + 3 u2 d f^2 + 2 (mu1 (mu1 - q0) + u^2 + d q0) f + 2 q0 u2, on the
  * side where q0 f <= 0, by Halley's steps from the root of its lower part. */
-K_FN real ggx_optimal_root(ggx_optimal_frame q, real z)
-{
+K_FN real ggx_optimal_root(ggx_optimal_frame q, real z) {
     real scale = k_sqrt(q.mu2);
     real side = R(-1.0) * k_sign(q.q0 - K_TINY); /* +1 for q0 <= 0 */
     real d = z * q.gap;
     real c3 = z * d;
     real c2 = side * R(3.0) * q.u2 * d / scale;
-    real c1 = R(2.0) * (z * z * (q.mu1 * (q.mu1 - q.q0) + q.gap * q.q0) + q.u1 * q.u1 + q.u2 * q.u2);
+    real c1 =
+        R(2.0) * (z * z * (q.mu1 * (q.mu1 - q.q0) + q.gap * q.q0) + q.u1 * q.u1 + q.u2 * q.u2);
     real c0 = R(-2.0) * k_abs(q.q0) * z * q.u2 * scale;
     real disc = k_sqrt(k_max(c1 * c1 - R(4.0) * c2 * c0, R(0.0)));
     real rising = R(-2.0) * c0 / k_max(c1 + disc, K_TINY);
@@ -116,21 +113,18 @@ K_FN real ggx_optimal_root(ggx_optimal_frame q, real z)
 }
 
 /* c(f) i_z, and |a(f)| i_z */
-K_FN real ggx_optimal_c(ggx_optimal_frame q, real z, real f)
-{
+K_FN real ggx_optimal_c(ggx_optimal_frame q, real z, real f) {
     return z * (q.q0 - R(0.5) * q.gap * f * f);
 }
 
-K_FN v3 ggx_optimal_axis(ggx_optimal_frame q, v3 i, real f)
-{
+K_FN v3 ggx_optimal_axis(ggx_optimal_frame q, v3 i, real f) {
     real z = i.z;
     real along_i = z * q.mu1 - ggx_optimal_c(q, z, f);
     return v3_combine(q.e1, q.u1, q.e2, q.u2 + z * q.gap * f, i, along_i);
 }
 
 /* Any orthonormal pair across a unit axis (Duff et al. 2017); its seam is at axis.z = 0. */
-K_FN ggx_optimal ggx_optimal_with_axis(ggx_base g, v3 axis, real w)
-{
+K_FN ggx_optimal ggx_optimal_with_axis(ggx_base g, v3 axis, real w) {
     real side = k_sign(axis.z);
     real b = R(-1.0) / (side + axis.z);
     real xy = axis.x * axis.y * b;
@@ -143,8 +137,7 @@ K_FN ggx_optimal ggx_optimal_with_axis(ggx_base g, v3 axis, real w)
     return s;
 }
 
-K_FN ggx_optimal ggx_optimal_prepare(ggx_base g)
-{
+K_FN ggx_optimal ggx_optimal_prepare(ggx_base g) {
     ggx_optimal_frame q = ggx_optimal_frame_of(g);
     real z = k_max(g.i_std.z, R(0.0));
     real f = ggx_optimal_root(q, z);
@@ -157,29 +150,25 @@ K_FN ggx_optimal ggx_optimal_prepare(ggx_base g)
     return ggx_optimal_with_axis(g, axis, k_select(tilts, w, g.one_plus_z));
 }
 
-K_FN real ggx_optimal_pdf(ggx_optimal s, ggx_pair pair)
-{
+K_FN real ggx_optimal_pdf(ggx_optimal s, ggx_pair pair) {
     return ggx_visible_pdf(s.g, pair, s.w);
 }
 
-K_FN real ggx_optimal_pdf_m(ggx_optimal s, ggx_pair pair)
-{
+K_FN real ggx_optimal_pdf_m(ggx_optimal s, ggx_pair pair) {
     real depth = R(1.0) - v3_dot(s.axis, ggx_stretched_out(s.g, pair.m));
     return k_select(pair.leaves || depth <= s.w, ggx_visible_pdf_m(s.g, pair, s.w), R(0.0));
 }
 
-K_FN real ggx_optimal_acceptance(ggx_optimal s)
-{
+K_FN real ggx_optimal_acceptance(ggx_optimal s) {
     return ggx_visible_acceptance(s.g, s.w);
 }
 
-K_FN ggx_draw ggx_optimal_draw(ggx_optimal s, real u1, real u2, real u3)
-{
+K_FN ggx_draw ggx_optimal_draw(ggx_optimal s, real u1, real u2, real u3) {
     k_sincos phi = k_sincos_2pi(u1);
     real depth = u2 * s.w;
     real radius = k_sqrt(depth * (R(2.0) - depth));
-    v3 o = v3_combine(s.across_x, radius * phi.c, s.across_y, radius * phi.s, s.axis,
-                      R(1.0) - depth);
+    v3 o =
+        v3_combine(s.across_x, radius * phi.c, s.across_y, radius * phi.s, s.axis, R(1.0) - depth);
     v3 h = v3_add(s.g.i_std, o);
     real i_h = R(0.5) * v3_dot(h, h);
     return ggx_visible_draw(s.g, ggx_pair_of_stretched(s.g, h, i_h), s.w);

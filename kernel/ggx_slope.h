@@ -13,16 +13,14 @@
 #include "ggx_visible.h"
 #include "kepler.h"
 
-K_STRUCT(ggx_slope)
-{
+K_STRUCT(ggx_slope) {
     ggx_base g;
     real sin_t;
     real azimuth_x;
     real azimuth_y;
 };
 
-K_FN ggx_slope ggx_slope_prepare(ggx_base g)
-{
+K_FN ggx_slope ggx_slope_prepare(ggx_base g) {
     ggx_slope s;
     bool off_normal = g.rho2 > K_TINY;
     s.g = g;
@@ -33,31 +31,26 @@ K_FN ggx_slope ggx_slope_prepare(ggx_base g)
     return s;
 }
 
-K_FN real ggx_slope_pdf(ggx_slope s, ggx_pair pair)
-{
+K_FN real ggx_slope_pdf(ggx_slope s, ggx_pair pair) {
     return ggx_visible_pdf(s.g, pair, s.g.one_plus_z);
 }
 
-K_FN real ggx_slope_pdf_m(ggx_slope s, ggx_pair pair)
-{
+K_FN real ggx_slope_pdf_m(ggx_slope s, ggx_pair pair) {
     return ggx_visible_pdf_m(s.g, pair, s.g.one_plus_z);
 }
 
-K_FN real ggx_slope_acceptance(ggx_slope s)
-{
+K_FN real ggx_slope_acceptance(ggx_slope s) {
     return ggx_visible_acceptance(s.g, s.g.one_plus_z);
 }
 
 /* The angle xi of the slope along i, as sine and cosine, and cos(t + xi). */
-K_STRUCT(ggx_slope_along)
-{
+K_STRUCT(ggx_slope_along) {
     real s;
     real c;
     real cos_sum;
 };
 
-K_FN ggx_slope_along ggx_slope_along_of(ggx_slope s, real u1)
-{
+K_FN ggx_slope_along ggx_slope_along_of(ggx_slope s, real u1) {
     real one_minus_a = (R(1.0) - u1) * s.g.one_plus_z;
     real one_plus_a = u1 * s.g.one_plus_z + s.g.one_minus_z;
     real a = u1 * s.g.one_plus_z - s.g.i_std.z;
@@ -69,8 +62,7 @@ K_FN ggx_slope_along ggx_slope_along_of(ggx_slope s, real u1)
 }
 
 /* The draw from both slopes: along i by xi, across as the angle e/2 and a sign. */
-K_FN ggx_draw ggx_slope_draw_of(ggx_slope s, ggx_slope_along x, k_sincos half_e, real side)
-{
+K_FN ggx_draw ggx_slope_draw_of(ggx_slope s, ggx_slope_along x, k_sincos half_e, real side) {
     real along = -x.s * half_e.s;
     real across = -side * half_e.c;
     v3 h = v3_of(s.azimuth_x * along - s.azimuth_y * across,
@@ -79,8 +71,7 @@ K_FN ggx_draw ggx_slope_draw_of(ggx_slope s, ggx_slope_along x, k_sincos half_e,
     return ggx_visible_draw(s.g, pair, s.g.one_plus_z);
 }
 
-K_FN ggx_draw ggx_slope_draw(ggx_slope s, real u1, real u2, real u3)
-{
+K_FN ggx_draw ggx_slope_draw(ggx_slope s, real u1, real u2, real u3) {
     bool upper = u2 > R(0.5);
     real tail = k_select(upper, R(1.0) - u2, u2);
     real e = k_kepler(R(2.0) * K_PI * tail);

@@ -7,44 +7,37 @@
 
 #include "ggx_slope.h"
 
-K_STRUCT(ggx_slope_published)
-{
+K_STRUCT(ggx_slope_published) {
     ggx_slope slope;
 };
 
-K_FN ggx_slope_published ggx_slope_published_prepare(ggx_base g)
-{
+K_FN ggx_slope_published ggx_slope_published_prepare(ggx_base g) {
     ggx_slope_published s;
     s.slope = ggx_slope_prepare(g);
     return s;
 }
 
-K_FN real ggx_slope_published_pdf(ggx_slope_published s, ggx_pair pair)
-{
+K_FN real ggx_slope_published_pdf(ggx_slope_published s, ggx_pair pair) {
     return ggx_slope_pdf(s.slope, pair);
 }
 
-K_FN real ggx_slope_published_pdf_m(ggx_slope_published s, ggx_pair pair)
-{
+K_FN real ggx_slope_published_pdf_m(ggx_slope_published s, ggx_pair pair) {
     return ggx_slope_pdf_m(s.slope, pair);
 }
 
-K_FN real ggx_slope_published_acceptance(ggx_slope_published s)
-{
+K_FN real ggx_slope_published_acceptance(ggx_slope_published s) {
     return ggx_slope_acceptance(s.slope);
 }
 
 /* The paper's fit of C_z^-1 on the upper half, u in [0, 1). */
-K_FN real ggx_slope_published_z(real u)
-{
+K_FN real ggx_slope_published_z(real u) {
     real top = u * (u * (u * R(0.27385) - R(0.73369)) + R(0.46341));
     real bottom = u * (u * (u * R(0.093073) + R(0.309420)) - R(1.0)) + R(0.597999);
     return top / bottom;
 }
 
 /* The paper's root choice for the slope along i: A = 1, grazing and negative radicands guarded. */
-K_FN ggx_slope_along ggx_slope_published_along(ggx_slope s, real u1)
-{
+K_FN ggx_slope_along ggx_slope_published_along(ggx_slope s, real u1) {
     real a = u1 * s.g.one_plus_z / k_max(s.g.i_std.z, K_EPS) - R(1.0);
     real b = s.sin_t / k_max(s.g.i_std.z, K_EPS);
     real gap = a * a - R(1.0);
@@ -60,8 +53,7 @@ K_FN ggx_slope_along ggx_slope_published_along(ggx_slope s, real u1)
     return along;
 }
 
-K_FN ggx_draw ggx_slope_published_draw(ggx_slope_published s, real u1, real u2, real u3)
-{
+K_FN ggx_draw ggx_slope_published_draw(ggx_slope_published s, real u1, real u2, real u3) {
     bool upper = u2 > R(0.5);
     real z = ggx_slope_published_z(k_select(upper, R(2.0) * u2 - R(1.0), R(1.0) - R(2.0) * u2));
     /* the paper's method is for i above the surface at an angle; elsewhere the exact slope */

@@ -12,8 +12,7 @@
 
 /* The positive eigenvalue of Q: the root of the convex, decreasing
  * f(L) = r - L + i_x^2/(L + c_x) + i_y^2/(L + c_y), by Newton from below. */
-K_FN real ggx_useful_eigenvalue(v3 i, real cx, real cy, real r)
-{
+K_FN real ggx_useful_eigenvalue(v3 i, real cx, real cy, real r) {
     real x2 = i.x * i.x;
     real y2 = i.y * i.y;
     real rho2 = x2 + y2;
@@ -34,8 +33,7 @@ K_FN real ggx_useful_eigenvalue(v3 i, real cx, real cy, real r)
 }
 
 /* a b nu */
-K_FN real ggx_useful_area(ggx_base g)
-{
+K_FN real ggx_useful_area(ggx_base g) {
     v3 i = g.i_std;
     real c = k_max(i.z, R(0.0));
     real cx = c * g.ax * g.ax;

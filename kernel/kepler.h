@@ -8,8 +8,7 @@
 #include "trig.h"
 
 /* Cube root of a normal x > 0, relative error below 5e-5: enough for a start. */
-K_FN real k_cbrt_start(real x)
-{
+K_FN real k_cbrt_start(real x) {
 #if K_IS_F64
     kint third_bias = K_INT_PAIR(0x2a9f7893, 0x00000000);
 #else
@@ -21,8 +20,7 @@ K_FN real k_cbrt_start(real x)
 }
 
 /* (e - sin e)/e^3, y = e^2, on [0, pi^2]: no cancellation */
-K_FN real k_sine_defect(real y)
-{
+K_FN real k_sine_defect(real y) {
 #if K_IS_F64
     real p = R(-1.9495555154187330681e-20) + y * R(3.5331586127115938137e-23);
     p = R(-2.8114489198177559486e-15) + y * (R(8.2196175773778214569e-18) + y * p);
@@ -38,8 +36,7 @@ K_FN real k_sine_defect(real y)
 #endif
 }
 
-K_FN real k_kepler(real t)
-{
+K_FN real k_kepler(real t) {
     /* below the floor the root is far beyond what a slope needs */
     real root = k_cbrt_start(k_max(R(6.0) * t, K_EPS * K_EPS));
     real y = root * root;

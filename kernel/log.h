@@ -6,8 +6,7 @@
 #include "scalar.h"
 
 /* (2 atanh(s) - 2s)/s^3, y = s^2 */
-K_FN real k_atanh_tail(real y)
-{
+K_FN real k_atanh_tail(real y) {
 #if K_IS_F64
     real p = R(0.13268714792348096667) + y * R(0.13087236196659622326);
     p = R(0.18181795600060792441) + y * (R(0.15386241881938595507) + y * p);
@@ -20,8 +19,7 @@ K_FN real k_atanh_tail(real y)
 }
 
 /* x > 0 and normal; 0, denormal and negative numbers are taken for the smallest normal one. */
-K_FN real k_log(real x)
-{
+K_FN real k_log(real x) {
 #if K_IS_F64
     kint half_bits = K_INT_PAIR(0x3fe6a09e, 0x667f3bcd); /* sqrt(1/2) */
     kint mantissa_mask = K_INT_PAIR(0x000fffff, 0xffffffff);

@@ -5,15 +5,13 @@
 
 #include "scalar.h"
 
-K_STRUCT(k_sincos)
-{
+K_STRUCT(k_sincos) {
     real s;
     real c;
 };
 
 /* sin(2 pi r) for |r| <= 1/8, x = r^2 */
-K_FN real k_sin_eighth(real r, real x)
-{
+K_FN real k_sin_eighth(real r, real x) {
 #if K_IS_F64
     real p = R(-15.093804209987113512) + x * R(3.7808689593022955184);
     p = R(-76.705859704274550647) + x * (R(42.058685020160894047) + x * p);
@@ -27,8 +25,7 @@ K_FN real k_sin_eighth(real r, real x)
 }
 
 /* cos(2 pi r) for |r| <= 1/8, x = r^2 */
-K_FN real k_cos_eighth(real x)
-{
+K_FN real k_cos_eighth(real x) {
 #if K_IS_F64
     real p = R(7.9030916877516976361) + x * R(-1.6968494702918826806);
     p = R(60.24464132886729332) + x * (R(-26.426250908622135959) + x * p);
@@ -42,8 +39,7 @@ K_FN real k_cos_eighth(real x)
 }
 
 /* u in [-4, 4] */
-K_FN k_sincos k_sincos_2pi(real u)
-{
+K_FN k_sincos k_sincos_2pi(real u) {
     real quarter = k_floor(R(4.0) * u + R(0.5));
     real r = u - R(0.25) * quarter;
     real x = r * r;

@@ -31,27 +31,23 @@ LOBE_GGX_METHODS(CHECK_ROOM)
     ggx_##name s;                                                                                  \
     memcpy(&s, model->prepared, sizeof s)
 
-static v3 in(vec_type v)
-{
+static v3 in(vec_type v) {
     return v3_of(v.x, v.y, v.z);
 }
 
-static vec_type out(v3 v)
-{
+static vec_type out(v3 v) {
     vec_type r = {v.x, v.y, v.z};
     return r;
 }
 
 /* Every kernel state begins with the same base. */
-static ggx_base base_of(const model_type *model)
-{
+static ggx_base base_of(const model_type *model) {
     ggx_base g;
     memcpy(&g, model->prepared, sizeof g);
     return g;
 }
 
-static void prepare_method(model_type *model, ggx_base g)
-{
+static void prepare_method(model_type *model, ggx_base g) {
     switch ((lobe_method)model->method) {
 #define CASE(ID, name, text, about)                                                                \
     case LOBE_METHOD_##ID: {                                                                       \
@@ -67,8 +63,7 @@ static void prepare_method(model_type *model, ggx_base g)
 }
 
 LOBE_NAME(ggx)
-LOBE_NAME(ggx_prepare)(lobe_ggx_options options, vec_type wi, real alpha_x, real alpha_y)
-{
+LOBE_NAME(ggx_prepare)(lobe_ggx_options options, vec_type wi, real alpha_x, real alpha_y) {
     ggx_base g = ggx_base_of(in(wi), alpha_x, alpha_y, options.g2 == LOBE_G2_SEPARABLE,
                              options.normalization == LOBE_NORMALIZATION_PREVIOUS);
     bool known = (unsigned)options.method < LOBE_METHOD_COUNT;
@@ -85,8 +80,7 @@ LOBE_NAME(ggx_prepare)(lobe_ggx_options options, vec_type wi, real alpha_x, real
     return model;
 }
 
-static ggx_draw draw_method(const model_type *model, real u1, real u2, real u3)
-{
+static ggx_draw draw_method(const model_type *model, real u1, real u2, real u3) {
     switch ((lobe_method)model->method) {
 #define CASE(ID, name, text, about)                                                                \
     case LOBE_METHOD_##ID: {                                                                       \
@@ -103,8 +97,7 @@ static ggx_draw draw_method(const model_type *model, real u1, real u2, real u3)
     return none;
 }
 
-static real pdf_method(const model_type *model, ggx_pair pair)
-{
+static real pdf_method(const model_type *model, ggx_pair pair) {
     switch ((lobe_method)model->method) {
 #define CASE(ID, name, text, about)                                                                \
     case LOBE_METHOD_##ID: {                                                                       \
@@ -119,8 +112,7 @@ static real pdf_method(const model_type *model, ggx_pair pair)
     return 0;
 }
 
-static real pdf_m_method(const model_type *model, ggx_pair pair)
-{
+static real pdf_m_method(const model_type *model, ggx_pair pair) {
     switch ((lobe_method)model->method) {
 #define CASE(ID, name, text, about)                                                                \
     case LOBE_METHOD_##ID: {                                                                       \
@@ -135,12 +127,9 @@ static real pdf_m_method(const model_type *model, ggx_pair pair)
     return 0;
 }
 
-real LOBE_NAME(ggx_acceptance)(const model_type *model)
-{
-    if (!model->is_valid)
-        return 0;
-    if (model->is_mirror)
-        return model->wi.z > 0 ? R(1.0) : R(0.0);
+real LOBE_NAME(ggx_acceptance)(const model_type *model) {
+    if (!model->is_valid) return 0;
+    if (model->is_mirror) return model->wi.z > 0 ? R(1.0) : R(0.0);
     switch ((lobe_method)model->method) {
 #define CASE(ID, name, text, about)                                                                \
     case LOBE_METHOD_##ID: {                                                                       \
@@ -156,8 +145,7 @@ real LOBE_NAME(ggx_acceptance)(const model_type *model)
 }
 
 /* The mirror: all of the light goes one way. */
-static draw_type mirror_draw(const model_type *model)
-{
+static draw_type mirror_draw(const model_type *model) {
     draw_type d;
     memset(&d, 0, sizeof d);
     bool leaves = model->is_valid && model->wi.z > 0;
@@ -171,10 +159,8 @@ static draw_type mirror_draw(const model_type *model)
 }
 
 LOBE_NAME(ggx_draw)
-LOBE_NAME(ggx_sample)(const model_type *model, real u1, real u2, real u3)
-{
-    if (model->is_mirror)
-        return mirror_draw(model);
+LOBE_NAME(ggx_sample)(const model_type *model, real u1, real u2, real u3) {
+    if (model->is_mirror) return mirror_draw(model);
     ggx_draw k = draw_method(model, k_unit(u1), k_unit(u2), k_unit(u3));
     draw_type d;
     d.m = out(k.m);
@@ -186,23 +172,19 @@ LOBE_NAME(ggx_sample)(const model_type *model, real u1, real u2, real u3)
     return d;
 }
 
-static bool has_density(const model_type *model)
-{
+static bool has_density(const model_type *model) {
     return model->is_valid && !model->is_mirror;
 }
 
-real LOBE_NAME(ggx_pdf)(const model_type *model, vec_type wo)
-{
+real LOBE_NAME(ggx_pdf)(const model_type *model, vec_type wo) {
     ggx_pair pair = ggx_pair_of_wo(base_of(model), in(wo));
     return has_density(model) && pair.leaves ? k_usable(pdf_method(model, pair)) : R(0.0);
 }
 
-static eval_type eval_pair(const model_type *model, ggx_pair pair)
-{
+static eval_type eval_pair(const model_type *model, ggx_pair pair) {
     eval_type e;
     memset(&e, 0, sizeof e);
-    if (!has_density(model))
-        return e;
+    if (!has_density(model)) return e;
     ggx_base g = base_of(model);
     e.d = k_usable(pair.m.z > R(0.0) ? pair.d : R(0.0));
     e.g1_i = ggx_g1_in(g);
@@ -218,13 +200,11 @@ static eval_type eval_pair(const model_type *model, ggx_pair pair)
 }
 
 LOBE_NAME(ggx_eval)
-LOBE_NAME(ggx_eval_wo)(const model_type *model, vec_type wo)
-{
+LOBE_NAME(ggx_eval_wo)(const model_type *model, vec_type wo) {
     return eval_pair(model, ggx_pair_of_wo(base_of(model), in(wo)));
 }
 
 LOBE_NAME(ggx_eval)
-LOBE_NAME(ggx_eval_m)(const model_type *model, vec_type m)
-{
+LOBE_NAME(ggx_eval_m)(const model_type *model, vec_type m) {
     return eval_pair(model, ggx_pair_of_m(base_of(model), in(m)));
 }

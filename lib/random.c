@@ -1,8 +1,7 @@
 /* lib/random.c: Philox4x32-10 (Salmon et al. 2011): ten rounds of two 32x32 -> 64 bit products. */
 #include "lobe/random.h"
 
-static lobe_random4 philox_round(lobe_random4 c, uint32_t key0, uint32_t key1)
-{
+static lobe_random4 philox_round(lobe_random4 c, uint32_t key0, uint32_t key1) {
     uint64_t p0 = (uint64_t)0xD2511F53u * c.word[0];
     uint64_t p1 = (uint64_t)0xCD9E8D57u * c.word[2];
     lobe_random4 r = {{(uint32_t)(p1 >> 32) ^ c.word[1] ^ key0, (uint32_t)p1,
@@ -10,12 +9,11 @@ static lobe_random4 philox_round(lobe_random4 c, uint32_t key0, uint32_t key1)
     return r;
 }
 
-lobe_random4 lobe_random(uint64_t seed, uint64_t stream, uint64_t counter)
-{
+lobe_random4 lobe_random(uint64_t seed, uint64_t stream, uint64_t counter) {
     uint32_t key0 = (uint32_t)seed;
     uint32_t key1 = (uint32_t)(seed >> 32);
-    lobe_random4 c = {{(uint32_t)counter, (uint32_t)(counter >> 32), (uint32_t)stream,
-                       (uint32_t)(stream >> 32)}};
+    lobe_random4 c = {
+        {(uint32_t)counter, (uint32_t)(counter >> 32), (uint32_t)stream, (uint32_t)(stream >> 32)}};
     for (int round = 0; round < 10; ++round) {
         c = philox_round(c, key0, key1);
         key0 += 0x9E3779B9u; /* golden ratio and sqrt(3) - 1: the published key schedule */
@@ -24,12 +22,10 @@ lobe_random4 lobe_random(uint64_t seed, uint64_t stream, uint64_t counter)
     return c;
 }
 
-float lobe_random_unit_f32(uint32_t word)
-{
+float lobe_random_unit_f32(uint32_t word) {
     return (float)(word >> 8) * 0x1p-24f;
 }
 
-double lobe_random_unit_f64(uint32_t high, uint32_t low)
-{
+double lobe_random_unit_f64(uint32_t high, uint32_t low) {
     return (double)((((uint64_t)high << 32) | low) >> 11) * 0x1p-53;
 }

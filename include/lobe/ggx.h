@@ -66,13 +66,13 @@ LOBE_API const char *lobe_method_about(lobe_method method);
 /* A model prepared for one (wi, alpha): what all draws and densities there share. A plain value,
  * copy it as you like; sampler and density read the same copy, so they cannot disagree. */
 typedef struct lobe_ggx_f32 {
-    int32_t method;       /* lobe_method */
-    int32_t is_valid;     /* 0: roughness or wi unusable, everything is 0 */
-    int32_t is_mirror;    /* 1: roughness below LOBE_GGX_ALPHA_MIN, a point mass */
-    float alpha_x;        /* as used, after the floor */
+    int32_t method;    /* lobe_method */
+    int32_t is_valid;  /* 0: roughness or wi unusable, everything is 0 */
+    int32_t is_mirror; /* 1: roughness below LOBE_GGX_ALPHA_MIN, a point mass */
+    float alpha_x;     /* as used, after the floor */
     float alpha_y;
     lobe_vec3_f32 wi;
-    float prepared[48];   /* private */
+    float prepared[48]; /* private */
 } lobe_ggx_f32;
 
 typedef struct lobe_ggx_f64 {
@@ -88,12 +88,12 @@ typedef struct lobe_ggx_f64 {
 /* One draw. A draw whose reflection does not leave the surface has pdf = 0 and weight = 0: count it
  * as black. Never draw again: that would make the picture too bright. */
 typedef struct lobe_ggx_draw_f32 {
-    lobe_vec3_f32 m;      /* microfacet normal, unit, z >= 0 */
-    lobe_vec3_f32 wo;     /* wi reflected about m */
-    float cos_im;         /* wi . m = wo . m, the cosine for Fresnel */
-    float pdf_m;          /* density of m over the sphere of normals, also of a rejected m */
-    float pdf;            /* density of wo; 0: rejected */
-    float weight;         /* f(wi,wo) |wo.z| / pdf without Fresnel; 0: rejected */
+    lobe_vec3_f32 m;  /* microfacet normal, unit, z >= 0 */
+    lobe_vec3_f32 wo; /* wi reflected about m */
+    float cos_im;     /* wi . m = wo . m, the cosine for Fresnel */
+    float pdf_m;      /* density of m over the sphere of normals, also of a rejected m */
+    float pdf;        /* density of wo; 0: rejected */
+    float weight;     /* f(wi,wo) |wo.z| / pdf without Fresnel; 0: rejected */
 } lobe_ggx_draw_f32;
 
 typedef struct lobe_ggx_draw_f64 {
@@ -107,14 +107,14 @@ typedef struct lobe_ggx_draw_f64 {
 
 /* All there is to know about a pair of directions. */
 typedef struct lobe_ggx_eval_f32 {
-    float d;              /* D(m), per steradian */
-    float g1_i;           /* G1(wi); for wi.z < 0 the normaliser 2|wi.z|/(wi.z + t), above 1 */
-    float g1_o;           /* G1(wo); 0 for wo.z <= 0 */
-    float g2;             /* G2(wi, wo) = g1_i * (G2/G1) */
-    float pdf_m;          /* density of the method at m over the sphere of normals */
-    float pdf;            /* density of the method at wo; 0 for wo.z <= 0 */
-    float f_cos;          /* f(wi,wo) |wo.z| without Fresnel */
-    float cos_im;         /* wi . m */
+    float d;      /* D(m), per steradian */
+    float g1_i;   /* G1(wi); for wi.z < 0 the normaliser 2|wi.z|/(wi.z + t), above 1 */
+    float g1_o;   /* G1(wo); 0 for wo.z <= 0 */
+    float g2;     /* G2(wi, wo) = g1_i * (G2/G1) */
+    float pdf_m;  /* density of the method at m over the sphere of normals */
+    float pdf;    /* density of the method at wo; 0 for wo.z <= 0 */
+    float f_cos;  /* f(wi,wo) |wo.z| without Fresnel */
+    float cos_im; /* wi . m */
 } lobe_ggx_eval_f32;
 
 typedef struct lobe_ggx_eval_f64 {

@@ -15,49 +15,41 @@
     typedef struct name name;                                                                      \
     struct name
 
-K_FN real k_select(bool condition, real yes, real no)
-{
+K_FN real k_select(bool condition, real yes, real no) {
     return condition ? yes : no;
 }
 
-K_FN real k_min(real a, real b)
-{
+K_FN real k_min(real a, real b) {
     return a < b ? a : b;
 }
 
-K_FN real k_max(real a, real b)
-{
+K_FN real k_max(real a, real b) {
     return a > b ? a : b;
 }
 
-K_FN real k_abs(real x)
-{
+K_FN real k_abs(real x) {
     return x < R(0.0) ? -x : x;
 }
 
 /* The SSE2 baseline has no packed floor: by conversion, for |x| below the integer range. */
-K_FN real k_floor(real x)
-{
+K_FN real k_floor(real x) {
     real whole = (real)(kint)x;
     return whole > x ? whole - R(1.0) : whole;
 }
 
-K_FN kint k_bits(real x)
-{
+K_FN kint k_bits(real x) {
     kint bits;
     memcpy(&bits, &x, sizeof bits);
     return bits;
 }
 
-K_FN real k_from_bits(kint bits)
-{
+K_FN real k_from_bits(kint bits) {
     real x;
     memcpy(&x, &bits, sizeof x);
     return x;
 }
 
-K_FN real k_from_int(kint n)
-{
+K_FN real k_from_int(kint n) {
     return (real)n;
 }
 

@@ -12,15 +12,14 @@ typedef int32_t kint;
 #define K_IS_F64 0
 #define K_MANTISSA_BITS 23
 #define K_EXPONENT_BIAS 127
-#define K_EPS R(1.1920929e-7)         /* one ulp of 1 */
-#define K_BELOW_ONE R(0.99999994)     /* the largest number below 1 */
-#define K_TINY R(1e-30)               /* a denominator that overflows nothing */
+#define K_EPS R(1.1920929e-7)     /* one ulp of 1 */
+#define K_BELOW_ONE R(0.99999994) /* the largest number below 1 */
+#define K_TINY R(1e-30)           /* a denominator that overflows nothing */
 #define K_HUGE R(1e30)
 
 #include "c.h"
 
-K_FN real k_sqrt(real x)
-{
+K_FN real k_sqrt(real x) {
     return __builtin_sqrtf(x);
 }
 

@@ -21,8 +21,7 @@ typedef int64_t kint;
 
 #include "c.h"
 
-K_FN real k_sqrt(real x)
-{
+K_FN real k_sqrt(real x) {
     return __builtin_sqrt(x);
 }
 

@@ -18,48 +18,39 @@
 #define K_FN
 #define K_STRUCT(name) struct name
 
-K_FN real k_select(bool condition, real yes, real no)
-{
+K_FN real k_select(bool condition, real yes, real no) {
     return condition ? yes : no;
 }
 
-K_FN real k_min(real a, real b)
-{
+K_FN real k_min(real a, real b) {
     return min(a, b);
 }
 
-K_FN real k_max(real a, real b)
-{
+K_FN real k_max(real a, real b) {
     return max(a, b);
 }
 
-K_FN real k_abs(real x)
-{
+K_FN real k_abs(real x) {
     return abs(x);
 }
 
-K_FN real k_floor(real x)
-{
+K_FN real k_floor(real x) {
     return floor(x);
 }
 
-K_FN real k_sqrt(real x)
-{
+K_FN real k_sqrt(real x) {
     return sqrt(x);
 }
 
-K_FN kint k_bits(real x)
-{
+K_FN kint k_bits(real x) {
     return asint(x);
 }
 
-K_FN real k_from_bits(kint bits)
-{
+K_FN real k_from_bits(kint bits) {
     return asfloat(bits);
 }
 
-K_FN real k_from_int(kint n)
-{
+K_FN real k_from_int(kint n) {
     return float(n);
 }
 
