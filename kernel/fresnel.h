@@ -23,7 +23,7 @@ K_FN real fresnel_schlick_average(real f0) {
 K_FN real fresnel_f82_b(real f0, real tint) {
     real at_82 = fresnel_schlick(f0, R(0.14285714285714285714));
     /* (1/7) (6/7)^6 */
-    return at_82 * (R(1.0) - tint) * R(17.651383530521262003);
+    return at_82 * (R(1.0) - tint) * R(17.651384602194787380);
 }
 
 K_FN real fresnel_f82(real f0, real tint, real cos_i) {

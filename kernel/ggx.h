@@ -175,16 +175,15 @@ K_FN ggx_pair ggx_pair_of_m(ggx_base g, v3 m) {
     return pair;
 }
 
-/* The pair of a normal drawn in the stretched space: m along A h, h of any length, i_h = i_std . h.
- * Neither h nor o is normalised: o comes out as 2 (i.m) m - i in one step. */
-K_FN ggx_pair ggx_pair_of_stretched(ggx_base g, v3 h, real i_h) {
+/* The pair of a normal drawn in the stretched space: m along A h, h of any length. i.m is taken of the
+ * m that came out, not of h: that keeps o a unit vector to the last digits where h is short. */
+K_FN ggx_pair ggx_pair_of_stretched(ggx_base g, v3 h) {
     v3 ah = ggx_stretch(h, g.ax, g.ay);
     real h2 = v3_dot(h, h);
     real ah2 = k_max(v3_dot(ah, ah), K_TINY);
-    real inv = R(1.0) / k_sqrt(ah2);
     ggx_pair pair;
-    pair.m = v3_scale(ah, inv);
-    pair.cos_im = g.t_i * i_h * inv;
+    pair.m = v3_scale(ah, R(1.0) / k_sqrt(ah2));
+    pair.cos_im = v3_dot(g.wi, pair.m);
     pair.wo = v3_sub(v3_scale(pair.m, R(2.0) * pair.cos_im), g.wi);
     real d = ggx_d_stretched(ah2 / k_max(h2, K_TINY), g.ax, g.ay);
     pair.d = k_select(h.z >= R(0.0), d, R(0.0));

@@ -47,9 +47,7 @@ K_FN ggx_draw ggx_cap_draw(ggx_cap s, real u1, real u2) {
     real rise = (R(1.0) - u2) * s.w;
     real radius = k_sqrt(depth * (rise + s.rest));
     v3 h = v3_of(s.g.i_std.x + radius * phi.c, s.g.i_std.y + radius * phi.s, rise + s.spare);
-    /* both are unit vectors: i.(i + o) = |i + o|^2/2 */
-    real i_h = R(0.5) * v3_dot(h, h);
-    return ggx_visible_draw(s.g, ggx_pair_of_stretched(s.g, h, i_h), s.w);
+    return ggx_visible_draw(s.g, ggx_pair_of_stretched(s.g, h), s.w);
 }
 
 #endif

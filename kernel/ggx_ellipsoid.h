@@ -58,7 +58,7 @@ K_FN ggx_draw ggx_ellipsoid_draw(ggx_ellipsoid s, real u1, real u2, real u3) {
     v3 across_y = v3_of(-s.g.i_std.z * s.azimuth_x, -s.g.i_std.z * s.azimuth_y, s.rho);
     v3 h = v3_combine(across_x, x, across_y, y, s.g.i_std, i_h);
     h.z = k_max(h.z, R(0.0));
-    return ggx_visible_draw(s.g, ggx_pair_of_stretched(s.g, h, i_h), s.g.one_plus_z);
+    return ggx_visible_draw(s.g, ggx_pair_of_stretched(s.g, h), s.g.one_plus_z);
 }
 
 #endif

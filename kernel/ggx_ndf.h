@@ -30,7 +30,7 @@ K_FN ggx_draw ggx_ndf_draw(ggx_ndf s, real u1, real u2, real u3) {
     real radius = k_sqrt(u1);
     k_sincos phi = k_sincos_2pi(u2);
     v3 h = v3_of(radius * phi.c, radius * phi.s, k_sqrt(R(1.0) - u1));
-    ggx_pair pair = ggx_pair_of_stretched(s.g, h, v3_dot(s.g.i_std, h));
+    ggx_pair pair = ggx_pair_of_stretched(s.g, h);
     return ggx_draw_of(s.g, pair, ggx_ndf_pdf_m(s, pair), ggx_ndf_pdf(s, pair));
 }
 

@@ -170,8 +170,7 @@ K_FN ggx_draw ggx_optimal_draw(ggx_optimal s, real u1, real u2, real u3) {
     v3 o =
         v3_combine(s.across_x, radius * phi.c, s.across_y, radius * phi.s, s.axis, R(1.0) - depth);
     v3 h = v3_add(s.g.i_std, o);
-    real i_h = R(0.5) * v3_dot(h, h);
-    return ggx_visible_draw(s.g, ggx_pair_of_stretched(s.g, h, i_h), s.w);
+    return ggx_visible_draw(s.g, ggx_pair_of_stretched(s.g, h), s.w);
 }
 
 #endif

@@ -43,21 +43,20 @@ K_FN real ggx_slope_acceptance(ggx_slope s) {
     return ggx_visible_acceptance(s.g, s.g.one_plus_z);
 }
 
-/* The angle xi of the slope along i, as sine and cosine, and cos(t + xi). */
+/* The angle xi of the slope along i, as sine and cosine. */
 K_STRUCT(ggx_slope_along) {
     real s;
     real c;
-    real cos_sum;
 };
 
 K_FN ggx_slope_along ggx_slope_along_of(ggx_slope s, real u1) {
     real one_minus_a = (R(1.0) - u1) * s.g.one_plus_z;
     real one_plus_a = u1 * s.g.one_plus_z + s.g.one_minus_z;
     real a = u1 * s.g.one_plus_z - s.g.i_std.z;
+    real cos_sum = k_sqrt(one_minus_a * one_plus_a);
     ggx_slope_along x;
-    x.cos_sum = k_sqrt(one_minus_a * one_plus_a);
-    x.s = a * s.g.i_std.z - x.cos_sum * s.sin_t;
-    x.c = k_max(x.cos_sum * s.g.i_std.z + a * s.sin_t, R(0.0));
+    x.s = a * s.g.i_std.z - cos_sum * s.sin_t;
+    x.c = k_max(cos_sum * s.g.i_std.z + a * s.sin_t, R(0.0));
     return x;
 }
 
@@ -67,8 +66,7 @@ K_FN ggx_draw ggx_slope_draw_of(ggx_slope s, ggx_slope_along x, k_sincos half_e,
     real across = -side * half_e.c;
     v3 h = v3_of(s.azimuth_x * along - s.azimuth_y * across,
                  s.azimuth_y * along + s.azimuth_x * across, x.c * half_e.s);
-    ggx_pair pair = ggx_pair_of_stretched(s.g, h, x.cos_sum * half_e.s);
-    return ggx_visible_draw(s.g, pair, s.g.one_plus_z);
+    return ggx_visible_draw(s.g, ggx_pair_of_stretched(s.g, h), s.g.one_plus_z);
 }
 
 K_FN ggx_draw ggx_slope_draw(ggx_slope s, real u1, real u2, real u3) {

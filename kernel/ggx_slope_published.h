@@ -49,7 +49,6 @@ K_FN ggx_slope_along ggx_slope_published_along(ggx_slope s, real u1) {
     ggx_slope_along along;
     along.c = R(1.0) / k_sqrt(R(1.0) + x * x);
     along.s = x * along.c;
-    along.cos_sum = k_max(s.g.i_std.z * along.c - s.sin_t * along.s, R(0.0));
     return along;
 }
 
@@ -63,7 +62,6 @@ K_FN ggx_draw ggx_slope_published_draw(ggx_slope_published s, real u1, real u2, 
     ggx_slope_along along;
     along.s = k_select(as_published, published.s, exact.s);
     along.c = k_select(as_published, published.c, exact.c);
-    along.cos_sum = k_select(as_published, published.cos_sum, exact.cos_sum);
     k_sincos half_e;
     half_e.s = R(1.0) / k_sqrt(R(1.0) + z * z);
     half_e.c = z * half_e.s;
