@@ -52,4 +52,7 @@ K_FN real k_kepler(real t) {
     return e;
 }
 
+/* Worst error, every float in [1e-6, pi] (tools/numerics/worst_error.c): 1.6 ulp at
+ * t = 0x1.0aea4ap+0. Double: residual below 40 ulp of t on a hundred thousand points. */
+
 #endif

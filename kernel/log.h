@@ -45,4 +45,7 @@ K_FN real k_log(real x) {
     return n * ln2_high + (f - (half_f2 - (tail + n * ln2_low)));
 }
 
+/* Worst error, every normal float (tools/numerics/worst_error.c): 0.84 ulp at x = 0x1.67cc32p+0.
+ * Double: below 2 ulp on the points of tests/kernel/elementary_template.h. */
+
 #endif

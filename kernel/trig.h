@@ -54,4 +54,8 @@ K_FN k_sincos k_sincos_2pi(real u) {
     return result;
 }
 
+/* Worst errors, every float in [1e-6, 1] (tools/numerics/worst_error.c): sine 8.9e-8 at
+ * u = 0x1.e21b16p-4, cosine 8.9e-8 at u = 0x1.bec3cap-1, absolute. Double: below 1.5 ulp of 1 on a
+ * million points. */
+
 #endif
