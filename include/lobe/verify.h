@@ -70,11 +70,11 @@ typedef struct lobe_verify_case {
 typedef struct lobe_verify_test {
     const char *model;
     const char *configuration;
-    const char *test;         /* a name of the list above */
-    const char *detail;       /* what was compared, one short line: "255 bins, dof 254" */
+    const char *test;   /* a name of the list above */
+    const char *detail; /* what was compared, one short line: "255 bins, dof 254" */
     lobe_verify_kind kind;
-    double statistic;         /* chi^2, z score, or the same as value for an error */
-    double value;             /* p-value or error */
+    double statistic; /* chi^2, z score, or the same as value for an error */
+    double value;     /* p-value or error */
     double limit;
     int32_t passed;
 } lobe_verify_test;
@@ -98,11 +98,11 @@ typedef struct lobe_verify_options {
 } lobe_verify_options;
 
 typedef struct lobe_verify_summary {
-    uint64_t cases;        /* finished */
+    uint64_t cases; /* finished */
     uint64_t tests_passed;
     uint64_t tests_failed;
     uint64_t draws;
-    char message[160];     /* "WHAT; HINT" for a result other than OK and FAILED, else empty */
+    char message[160]; /* "WHAT; HINT" for a result other than OK and FAILED, else empty */
 } lobe_verify_summary;
 
 /* quick, seed 1, everything, all processors, no callbacks. */

@@ -1,0 +1,12 @@
+/* app/commands.h: one function a command, each in the file of its name. `argv[0]` is the first
+ * argument after the command's name. */
+#ifndef LOBE_APP_COMMANDS_H
+#define LOBE_APP_COMMANDS_H
+
+#include "report.h"
+
+typedef lobe_app_status lobe_app_run(int argc, char **argv);
+
+lobe_app_run lobe_app_sample, lobe_app_eval, lobe_app_verify;
+
+#endif

@@ -1,0 +1,18 @@
+#include "interrupt.h"
+
+#include <stddef.h>
+
+volatile sig_atomic_t lobe_app_interrupted;
+
+static void note_interrupt(int number) {
+    (void)number;
+    lobe_app_interrupted = 1;
+}
+
+void lobe_app_catch_interrupt(void) {
+    struct sigaction action = {0};
+    action.sa_handler = note_interrupt;
+    action.sa_flags = (int)SA_RESETHAND; /* no SA_RESTART: a waiting read has to return */
+    sigaction(SIGINT, &action, NULL);
+    sigaction(SIGTERM, &action, NULL);
+}

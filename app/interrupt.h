@@ -1,0 +1,12 @@
+/* app/interrupt.h: Ctrl-C asks a command to save what is finished and stop. */
+#ifndef LOBE_APP_INTERRUPT_H
+#define LOBE_APP_INTERRUPT_H
+
+#include <signal.h>
+
+/* From now on the first interrupt only sets lobe_app_interrupted; a second one ends the program. */
+void lobe_app_catch_interrupt(void);
+
+extern volatile sig_atomic_t lobe_app_interrupted;
+
+#endif

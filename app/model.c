@@ -1,0 +1,175 @@
+#include "model.h"
+
+#include <float.h>
+#include <math.h>
+
+#include <lobe/random.h>
+
+#include "number.h"
+
+/* ---- Options --------------------------------------------------------------------------------- */
+
+static const char *const ndfs[] = {"ggx", NULL};
+static const char *const maskings[] = {"smith", NULL};
+static const char *const precisions[] = {"f32", "f64", NULL};
+
+#define METHOD_NAME(ID, name, text, about) text,
+const char *const lobe_app_methods[] = {LOBE_GGX_METHODS(METHOD_NAME) NULL};
+#undef METHOD_NAME
+const char *const lobe_app_g2s[] = {"correlated", "separable", NULL};
+const char *const lobe_app_normalizations[] = {"unbiased", "previous", NULL};
+
+static bool read_alpha(const lobe_app_option *option, const char *text, void *value) {
+    double *alpha = value;
+    const int count = lobe_app_read_numbers(text, 1, 2, alpha);
+    if (count == 1) alpha[1] = alpha[0];
+    if (count && alpha[0] >= 0 && alpha[1] >= 0) return true;
+    lobe_app_report(option->name, "give A or AX,AY, finite numbers from 0 on",
+                    "'%.60s' is no roughness", text);
+    return false;
+}
+
+bool lobe_app_read_direction(const lobe_app_option *option, const char *text, void *value) {
+    double v[3];
+    if (lobe_app_read_numbers(text, 3, 3, v)) {
+        lobe_vec3_f64 direction = {v[0], v[1], v[2]};
+        if (lobe_app_normalize(LOBE_APP_F64, &direction)) {
+            *(lobe_vec3_f64 *)value = direction;
+            return true;
+        }
+    }
+    lobe_app_report(option->name, "give X,Y,Z, finite numbers that are not all zero",
+                    "'%.60s' is no direction", text);
+    return false;
+}
+
+#define MEMBER(name) offsetof(lobe_app_model_values, name)
+const lobe_app_option lobe_app_model_options[] = {
+    {"--ndf", "NAME", "ggx", "distribution of normals", lobe_app_read_choice, MEMBER(ndf), ndfs},
+    {"--masking", "NAME", "smith", "masking of the microsurface", lobe_app_read_choice,
+     MEMBER(masking), maskings},
+    {"--method", "NAME", "the best for the model", "how directions are drawn", lobe_app_read_choice,
+     MEMBER(method), lobe_app_methods},
+    {"--alpha", "A[,AY]", NULL,
+     "roughness of the distribution, along x and along y; from 0 "
+     "(a mirror) on; required",
+     read_alpha, MEMBER(alpha), NULL},
+    {"--wi", "X,Y,Z", NULL,
+     "direction toward the viewer in the shading frame, of any length; may "
+     "lie below the surface; required",
+     lobe_app_read_direction, MEMBER(wi), NULL},
+    {"--precision", "P", "f32", "of the arithmetic", lobe_app_read_choice, MEMBER(precision),
+     precisions},
+    {"--g2", "NAME", "correlated", "masking of both directions together", lobe_app_read_choice,
+     MEMBER(g2), lobe_app_g2s},
+    {"--fresnel", "F", "none",
+     "reflectance of a microfacet: none (F = 1), F0 (Schlick), "
+     "f82:F0,TINT, dielectric:IOR, conductor:N,K; multiplies weight and f_cos",
+     lobe_app_read_fresnel, MEMBER(fresnel), NULL},
+    {0}};
+#undef MEMBER
+
+lobe_app_model_values lobe_app_default_model(void) {
+    const lobe_ggx_options options = lobe_ggx_default_options();
+    return (lobe_app_model_values){.method = (int)options.method,
+                                   .g2 = (int)options.g2,
+                                   .normalization = (int)options.normalization};
+}
+
+/* ---- Model ----------------------------------------------------------------------------------- */
+
+static lobe_vec3_f32 narrow(lobe_vec3_f64 v) {
+    return (lobe_vec3_f32){(float)v.x, (float)v.y, (float)v.z};
+}
+
+static lobe_vec3_f64 widen(lobe_vec3_f32 v) {
+    return (lobe_vec3_f64){v.x, v.y, v.z};
+}
+
+lobe_app_status lobe_app_prepare(const lobe_app_model_values *values,
+                                 const lobe_app_arguments *arguments, lobe_app_model *model) {
+    if (!lobe_app_is_given(arguments, "--alpha"))
+        return lobe_app_reject("--alpha", "give the roughness, as in --alpha 0.3", "missing");
+    if (!lobe_app_is_given(arguments, "--wi"))
+        return lobe_app_reject("--wi", "give the direction toward the viewer, as in --wi 0.6,0,0.8",
+                               "missing");
+    const lobe_ggx_options options = {(lobe_method)values->method, (lobe_g2)values->g2,
+                                      (lobe_normalization)values->normalization};
+    model->precision = (lobe_app_precision)values->precision;
+    model->fresnel = values->fresnel;
+    model->f32 = lobe_ggx_prepare_f32(options, narrow(values->wi), (float)values->alpha[0],
+                                      (float)values->alpha[1]);
+    model->f64 = lobe_ggx_prepare_f64(options, values->wi, values->alpha[0], values->alpha[1]);
+    if (model->precision == LOBE_APP_F32 ? model->f32.is_valid : model->f64.is_valid)
+        return LOBE_APP_DONE;
+    return lobe_app_reject("--alpha", "give a smaller roughness",
+                           "%g,%g is too large for the precision", values->alpha[0],
+                           values->alpha[1]);
+}
+
+lobe_ggx_draw_f64 lobe_app_draw(const lobe_app_model *model, const double u[3]) {
+    if (model->precision == LOBE_APP_F64) {
+        lobe_ggx_draw_f64 draw = lobe_ggx_sample_f64(&model->f64, u[0], u[1], u[2]);
+        draw.weight *= lobe_app_fresnel_f64(&model->fresnel, draw.cos_im);
+        return draw;
+    }
+    const lobe_ggx_draw_f32 draw =
+        lobe_ggx_sample_f32(&model->f32, (float)u[0], (float)u[1], (float)u[2]);
+    return (lobe_ggx_draw_f64){
+        widen(draw.m), widen(draw.wo),
+        draw.cos_im,   draw.pdf_m,
+        draw.pdf,      draw.weight * lobe_app_fresnel_f32(&model->fresnel, draw.cos_im)};
+}
+
+static lobe_ggx_eval_f64 finish_f64(const lobe_app_model *model, lobe_ggx_eval_f64 eval) {
+    eval.f_cos *= lobe_app_fresnel_f64(&model->fresnel, eval.cos_im);
+    return eval;
+}
+
+static lobe_ggx_eval_f64 finish_f32(const lobe_app_model *model, lobe_ggx_eval_f32 eval) {
+    return (lobe_ggx_eval_f64){eval.d,
+                               eval.g1_i,
+                               eval.g1_o,
+                               eval.g2,
+                               eval.pdf_m,
+                               eval.pdf,
+                               eval.f_cos * lobe_app_fresnel_f32(&model->fresnel, eval.cos_im),
+                               eval.cos_im};
+}
+
+lobe_ggx_eval_f64 lobe_app_eval_wo(const lobe_app_model *model, lobe_vec3_f64 wo) {
+    if (model->precision == LOBE_APP_F64)
+        return finish_f64(model, lobe_ggx_eval_wo_f64(&model->f64, wo));
+    return finish_f32(model, lobe_ggx_eval_wo_f32(&model->f32, narrow(wo)));
+}
+
+lobe_ggx_eval_f64 lobe_app_eval_m(const lobe_app_model *model, lobe_vec3_f64 m) {
+    if (model->precision == LOBE_APP_F64)
+        return finish_f64(model, lobe_ggx_eval_m_f64(&model->f64, m));
+    return finish_f32(model, lobe_ggx_eval_m_f32(&model->f32, narrow(m)));
+}
+
+void lobe_app_random(const lobe_app_model *model, uint64_t seed, uint64_t row, double u[3]) {
+    const lobe_random4 words = lobe_random(seed, 0, row);
+    if (model->precision == LOBE_APP_F32) {
+        u[0] = lobe_random_unit_f32(words.word[0]);
+        u[1] = lobe_random_unit_f32(words.word[2]);
+        u[2] = lobe_random_unit_f32(words.word[1]);
+    } else {
+        const lobe_random4 more = lobe_random(seed, 1, row);
+        u[0] = lobe_random_unit_f64(words.word[0], words.word[1]);
+        u[1] = lobe_random_unit_f64(words.word[2], words.word[3]);
+        u[2] = lobe_random_unit_f64(more.word[0], more.word[1]);
+    }
+}
+
+bool lobe_app_normalize(lobe_app_precision precision, lobe_vec3_f64 *v) {
+    const double scale = fmax(fabs(v->x), fmax(fabs(v->y), fabs(v->z)));
+    if (!(scale > 0)) return false;
+    const double x = v->x / scale, y = v->y / scale, z = v->z / scale; /* no overflow below */
+    const double length = sqrt(x * x + y * y + z * z);
+    const double rounding = 4 * (precision == LOBE_APP_F32 ? (double)FLT_EPSILON : DBL_EPSILON);
+    if (fabs(scale * length - 1) > rounding)
+        *v = (lobe_vec3_f64){x / length, y / length, z / length};
+    return true;
+}

@@ -1,0 +1,63 @@
+#include "progress.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <time.h>
+#include <unistd.h>
+
+enum { BAR_WIDTH = 30 };
+
+const char *const lobe_app_progress_modes[] = {"auto", "always", "never", "json", NULL};
+
+double lobe_app_seconds(void) {
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+lobe_app_progress lobe_app_begin_progress(int mode, const char *label, const char *unit) {
+    if (mode == LOBE_APP_PROGRESS_AUTO)
+        mode = isatty(STDERR_FILENO) ? LOBE_APP_PROGRESS_ALWAYS : LOBE_APP_PROGRESS_NEVER;
+    const double now = lobe_app_seconds();
+    return (lobe_app_progress){label, unit, (lobe_app_progress_mode)mode, now, now};
+}
+
+static void print_json(const lobe_app_progress *progress, double seconds, double fraction,
+                       double work) {
+    fprintf(stderr, "{\"progress\":\"%s\",\"seconds\":%.3f,\"%s\":%.0f,\"rate\":%.6g",
+            progress->label, seconds, progress->unit, work, seconds > 0 ? work / seconds : 0);
+    if (fraction > 0)
+        fprintf(stderr, ",\"fraction\":%.6f,\"seconds_left\":%.3f", fraction,
+                seconds * (1 - fraction) / fraction);
+    fprintf(stderr, "}\n");
+}
+
+static void print_bar(const lobe_app_progress *progress, double seconds, double fraction,
+                      double work) {
+    const double rate = seconds > 0 ? work / seconds : 0;
+    char bar[BAR_WIDTH + 1];
+    for (int i = 0; i < BAR_WIDTH; i++) bar[i] = i < fraction * BAR_WIDTH ? '#' : '.';
+    bar[BAR_WIDTH] = '\0';
+    fprintf(stderr, "\r\033[K%s [%s] %3.0f %%  %.3g M%s/s", progress->label, bar,
+            fraction > 0 ? 100 * fraction : 0, 1e-6 * rate, progress->unit);
+    if (fraction > 0) {
+        const int left = (int)fmin(seconds * (1 - fraction) / fraction, 1e6);
+        fprintf(stderr, "  %d:%02d left", left / 60, left % 60);
+    }
+    fflush(stderr);
+}
+
+void lobe_app_show_progress(lobe_app_progress *progress, double fraction, double work) {
+    if (progress->mode == LOBE_APP_PROGRESS_NEVER) return;
+    const double now = lobe_app_seconds();
+    if (now - progress->shown < 0.2 && fraction < 1) return;
+    progress->shown = now;
+    if (progress->mode == LOBE_APP_PROGRESS_JSON)
+        print_json(progress, now - progress->start, fraction, work);
+    else
+        print_bar(progress, now - progress->start, fraction, work);
+}
+
+void lobe_app_end_progress(lobe_app_progress *progress) {
+    if (progress->mode == LOBE_APP_PROGRESS_ALWAYS) fprintf(stderr, "\r\033[K");
+}

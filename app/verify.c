@@ -1,0 +1,181 @@
+/* app/verify.c: `lobe verify`: prove every model and method by statistics. */
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include <jansson.h>
+
+#include <lobe/verify.h>
+
+#include "commands.h"
+#include "interrupt.h"
+#include "options.h"
+#include "output.h"
+#include "progress.h"
+
+typedef struct verify_values {
+    bool quick, full, list, json, failures;
+    const char *only;
+    uint64_t seed, draws, threads;
+    int progress;
+} verify_values;
+
+static const lobe_app_option options[] = {
+    {"--quick", NULL, "yes", "about 10^5 draws a case, seconds in all", NULL,
+     offsetof(verify_values, quick), NULL},
+    {"--full", NULL, "no", "10^8 draws a case", NULL, offsetof(verify_values, full), NULL},
+    {"--draws", "N", "those of the level", "draws a case, 1000 to 10^12", lobe_app_read_count,
+     offsetof(verify_values, draws), NULL},
+    {"--only", "PATTERN", "all cases",
+     "a shell pattern that occurs in \"MODEL CONFIGURATION\", as \"caps f32\"", lobe_app_read_name,
+     offsetof(verify_values, only), NULL},
+    {"--seed", "S", "1", "of the random numbers, any whole number", lobe_app_read_u64,
+     offsetof(verify_values, seed), NULL},
+    {"--threads", "N", "one a processor", "results do not depend on it", lobe_app_read_count,
+     offsetof(verify_values, threads), NULL},
+    {"--list", NULL, NULL, "print the cases and stop", NULL, offsetof(verify_values, list), NULL},
+    {0}};
+
+static const lobe_app_option output_options[] = {
+    {"--failures", NULL, NULL, "print failed tests only", NULL, offsetof(verify_values, failures),
+     NULL},
+    {"--json", NULL, NULL, "one JSON object a test, then one with the counts", NULL,
+     offsetof(verify_values, json), NULL},
+    LOBE_APP_PROGRESS_OPTION(verify_values, progress),
+    {0}};
+
+/* What the callbacks share. */
+typedef struct verify_run {
+    const verify_values *values;
+    lobe_app_progress progress;
+} verify_run;
+
+/* One JSON object as a line. */
+static void print_json(json_t *object) {
+    char *text = object ? json_dumps(object, JSON_COMPACT | JSON_PRESERVE_ORDER) : NULL;
+    if (text) lobe_app_print("%s\n", text);
+    free(text);
+    json_decref(object);
+}
+
+/* JSON has no NaN and no infinity: null. */
+static json_t *number(double x) {
+    return x - x == 0 ? json_real(x) : json_null();
+}
+
+static void print_test_json(const lobe_verify_test *t) {
+    print_json(json_pack("{ss ss ss ss ss so so so sb}", "model", t->model, "configuration",
+                         t->configuration, "test", t->test, "detail", t->detail, "kind",
+                         t->kind == LOBE_VERIFY_P_VALUE ? "p" : "error", "statistic",
+                         number(t->statistic), "value", number(t->value), "limit", number(t->limit),
+                         "passed", (int)t->passed));
+}
+
+static void print_test(void *user, const lobe_verify_test *t) {
+    const verify_run *run = user;
+    if (run->values->failures && t->passed) return;
+    if (run->values->json) {
+        print_test_json(t);
+        return;
+    }
+    lobe_app_print("%-6s %-20s %-48s %-13s %-5s %9.3g, limit %9.3g  %s\n",
+                   t->passed ? "ok" : "FAILED", t->model, t->configuration, t->test,
+                   t->kind == LOBE_VERIFY_P_VALUE ? "p" : "error", t->value, t->limit, t->detail);
+}
+
+static int show_progress(void *user, double share) {
+    verify_run *run = user;
+    lobe_app_show_progress(&run->progress, share, 100 * share);
+    return lobe_app_interrupted != 0;
+}
+
+static void print_case(void *user, const lobe_verify_case *c) {
+    if (*(const bool *)user)
+        print_json(json_pack("{ss ss}", "model", c->model, "configuration", c->configuration));
+    else
+        lobe_app_print("%s %s\n", c->model, c->configuration);
+}
+
+static lobe_app_status list_cases(const lobe_verify_options *verify, bool json) {
+    if (lobe_verify_list(verify, print_case, &json) == 0)
+        return lobe_app_reject("--only", "lobe verify --list has the names", "no case matches");
+    return LOBE_APP_DONE;
+}
+
+static void print_summary(const lobe_verify_summary *summary, bool json) {
+    if (json)
+        print_json(json_pack("{sI sI sI sI}", "cases", (json_int_t)summary->cases, "draws",
+                             (json_int_t)summary->draws, "passed",
+                             (json_int_t)summary->tests_passed, "failed",
+                             (json_int_t)summary->tests_failed));
+    else
+        lobe_app_print("%" PRIu64 " passed, %" PRIu64 " failed\n", summary->tests_passed,
+                       summary->tests_failed);
+}
+
+static lobe_app_status status_of(lobe_verify_result result, const lobe_verify_summary *summary) {
+    char line[256];
+    snprintf(line, sizeof line, "verify: %s", summary->message);
+    switch (result) {
+    case LOBE_VERIFY_OK:
+        return LOBE_APP_DONE;
+    case LOBE_VERIFY_FAILED:
+        return LOBE_APP_NOT_HELD;
+    case LOBE_VERIFY_CANCELLED:
+        return LOBE_APP_INTERRUPTED;
+    case LOBE_VERIFY_NO_CASES:
+    case LOBE_VERIFY_BAD_OPTION:
+        lobe_app_report_line(line);
+        return LOBE_APP_BAD_INPUT;
+    case LOBE_VERIFY_NO_MEMORY:
+        break;
+    }
+    lobe_app_report_line(line);
+    return LOBE_APP_FAILED;
+}
+
+static lobe_app_status run_cases(const verify_values *values, lobe_verify_options *verify) {
+    verify_run run = {values, lobe_app_begin_progress(values->progress, "verify", "%")};
+    verify->on_test = print_test;
+    verify->on_progress = show_progress;
+    verify->user = &run;
+    lobe_verify_summary summary;
+    lobe_app_catch_interrupt();
+    const lobe_verify_result result = lobe_verify_run(verify, &summary);
+    lobe_app_end_progress(&run.progress);
+    const lobe_app_status status = status_of(result, &summary);
+    if (status != LOBE_APP_BAD_INPUT && status != LOBE_APP_FAILED)
+        print_summary(&summary, values->json);
+    return status;
+}
+
+lobe_app_status lobe_app_verify(int argc, char **argv) {
+    lobe_verify_options verify = lobe_verify_default_options();
+    verify_values values = {.seed = verify.seed};
+    const lobe_app_group groups[] = {
+        {"Cases", options, &values}, {"Output", output_options, &values}, {0}};
+    const lobe_app_command command = {"verify",
+                                      "[OPTIONS]",
+                                      "Tests every method in both precisions over a grid of "
+                                      "roughness and incidence: draws against\n"
+                                      "the density, what the density integrates to, the white "
+                                      "furnace, weights, reciprocity, float\n"
+                                      "against double, special numbers. Ends with a line N passed, "
+                                      "N failed; status 3 if any failed.",
+                                      NULL,
+                                      groups,
+                                      "lobe verify --only 'bounded f32'"};
+    lobe_app_arguments arguments;
+    lobe_app_status status = lobe_app_parse(&command, argc, argv, &arguments);
+    if (status || arguments.is_answered) return status;
+    if ((status = lobe_app_exclude(&arguments, "--quick", "--full"))) return status;
+    if (values.threads > 1024)
+        return lobe_app_reject("--threads", "use 1 to 1024", "too many threads");
+    verify.level = values.full ? LOBE_VERIFY_FULL : LOBE_VERIFY_QUICK;
+    verify.only = values.only;
+    verify.seed = values.seed;
+    verify.draws = values.draws;
+    verify.threads = (int32_t)values.threads;
+    if (values.list) return list_cases(&verify, values.json);
+    return run_cases(&values, &verify);
+}

@@ -1,0 +1,41 @@
+/* Bins of about equal expected count on a chart, with what is expected of them by cubature.
+ *
+ * A regular grid over the unit square of the chart; cells that hold too much are halved. */
+#ifndef LOBE_VERIFY_BINS_H
+#define LOBE_VERIFY_BINS_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "model.h"
+
+typedef struct lobe_bin_node {
+    double at;     /* where `axis` is halved */
+    int32_t axis;  /* -1: a bin */
+    int32_t child; /* the lower child, the upper one follows; or the number of the bin */
+} lobe_bin_node;
+
+typedef struct lobe_bins {
+    int grid;             /* cells in each direction */
+    lobe_bin_node *nodes; /* the first grid * grid are the cells */
+    size_t node_count, node_room;
+    double *share; /* of the draws expected in each bin */
+    size_t count, room;
+    double density;    /* integral of the density */
+    double value;      /* integral of f |cos| */
+    double cut;        /* weights are cut to this in the next two */
+    double cut_mean;   /* expectation of the weight of a draw */
+    double cut_square; /* and of its square */
+} lobe_bins;
+
+/* `density` is integrated from the model's twin where it has one: draws in single precision are held
+ * against exact expectations. Returns 0 without memory. */
+int lobe_bins_make(lobe_bins *bins, const lobe_verify_model *model, int grid, double cut);
+void lobe_bins_free(lobe_bins *bins);
+
+size_t lobe_bins_find(const lobe_bins *bins, double t, double a);
+
+/* Integral of the density of the model itself, in its own precision. */
+double lobe_density_integral(const lobe_verify_model *model);
+
+#endif

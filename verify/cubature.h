@@ -1,0 +1,24 @@
+/* Adaptive cubature over rectangles: 5 x 5 Gauss-Legendre points, quartered until halving the step
+ * changes nothing above the tolerance. */
+#ifndef LOBE_VERIFY_CUBATURE_H
+#define LOBE_VERIFY_CUBATURE_H
+
+#define LOBE_CUBATURE_VALUES 4
+
+/* Several integrands on the same points. */
+typedef struct lobe_integrand {
+    void (*evaluate)(const void *self, double x, double y, double values[LOBE_CUBATURE_VALUES]);
+    const void *self;
+    int count;
+    double tolerance[LOBE_CUBATURE_VALUES]; /* absolute, for each rectangle that is asked for */
+} lobe_integrand;
+
+typedef struct lobe_box {
+    double low[2];
+    double high[2];
+} lobe_box;
+
+void lobe_cubature(const lobe_integrand *integrand, lobe_box box,
+                   double integral[LOBE_CUBATURE_VALUES]);
+
+#endif

@@ -1,0 +1,167 @@
+/* Values at single directions.
+ *
+ * A sampled direction is rounded, so the density there is not exactly the density of the draw. How
+ * much that may be is a property of the function and not of its code: the condition. Errors are
+ * counted in units of (rounding unit) x (value + condition). */
+#include <float.h>
+#include <math.h>
+
+#include <lobe/random.h>
+
+#include "tests.h"
+
+/* Roundings in sequence that a result may collect. */
+static const double LIMIT = 32;
+
+typedef struct pair {
+    const lobe_verify_model *model;
+    lobe_verify_state state;
+    const lobe_verify_model *exact; /* the twin, or the model itself */
+    lobe_verify_state exact_state;
+} pair;
+
+/* Largest errors, in units, and where single things go wrong. */
+typedef struct worst {
+    double density, weight, reciprocity, precision_density, precision_value;
+    double largest_weight;
+    int accepted, below;
+} worst;
+
+static void prepare_pair(pair *p, const lobe_verify_model *model, const double wi[3]) {
+    p->model = model;
+    p->exact = model->twin != NULL ? model->twin : model;
+    model->prepare(model->self, wi, &p->state);
+    p->exact->prepare(p->exact->self, wi, &p->exact_state);
+}
+
+/* Functions of direction, by the exact one of the pair. */
+typedef double (*direction_function)(const pair *p, const double wo[3]);
+
+static double density_at(const pair *p, const double wo[3]) {
+    return p->exact->density(&p->exact_state, wo);
+}
+
+static double value_at(const pair *p, const double wo[3]) {
+    return p->exact->value(&p->exact_state, wo);
+}
+
+static double weight_at(const pair *p, const double wo[3]) {
+    double density = density_at(p, wo);
+    return density > 0 ? value_at(p, wo) / density : 0;
+}
+
+/* Value and condition: the sum of the changes for a unit step along each axis, by differences. */
+static double scale(const pair *p, direction_function function, const double wo[3]) {
+    const double step = 0x1p-24;
+    double sum = function(p, wo);
+    for (int k = 0; k < 3; ++k) {
+        double up[3] = {wo[0], wo[1], wo[2]};
+        double down[3] = {wo[0], wo[1], wo[2]};
+        up[k] += step;
+        down[k] -= step;
+        sum += fabs(function(p, up) - function(p, down)) / (2 * step);
+    }
+    return sum;
+}
+
+static void raise_to(double *worst, double error, double unit) {
+    double ratio = error / fmax(unit, DBL_MIN);
+    if (!(ratio <= *worst)) *worst = ratio;
+}
+
+static void check_draw(const pair *p, const lobe_verify_draw *draw, worst *w) {
+    const lobe_verify_model *model = p->model;
+    double density = model->density(&p->state, draw->wo);
+    double value = model->value(&p->state, draw->wo);
+    double density_scale = scale(p, density_at, draw->wo);
+    /* The weight was rounded at the drawn normal, the other two at the direction. */
+    double weight_scale = scale(p, value_at, draw->wo) + density * scale(p, weight_at, draw->wo);
+    raise_to(&w->density, fabs(draw->pdf - density), model->rounding * density_scale);
+    raise_to(&w->weight, fabs(draw->weight * density - value), model->rounding * weight_scale);
+    w->largest_weight = fmax(w->largest_weight, draw->weight);
+    w->accepted += 1;
+}
+
+static void check_precision(const pair *p, const double wo[3], worst *w) {
+    if (p->exact == p->model) return;
+    double density = density_at(p, wo);
+    double value = value_at(p, wo);
+    raise_to(&w->precision_density, fabs(p->model->density(&p->state, wo) - density),
+             p->model->rounding * scale(p, density_at, wo));
+    raise_to(&w->precision_value, fabs(p->model->value(&p->state, wo) - value),
+             p->model->rounding * scale(p, value_at, wo));
+}
+
+/* f = value / |cos| from both sides. */
+static void check_reciprocity(const pair *p, const double wo[3], worst *w) {
+    const double *wi = p->model->wi;
+    if (!p->model->is_reciprocal || !(wi[2] > 0) || !(wo[2] > 0)) return;
+    pair back;
+    prepare_pair(&back, p->model, wo);
+    double there = p->model->value(&p->state, wo) / wo[2];
+    double here = p->model->value(&back.state, wi) / wi[2];
+    double unit =
+        scale(p, value_at, wo) / wo[2] + scale(&back, value_at, wi) / wi[2];
+    raise_to(&w->reciprocity, fabs(there - here), p->model->rounding * unit);
+}
+
+static void check_support(const pair *p, const double wo[3], worst *w) {
+    double below[3] = {wo[0], wo[1], -wo[2]};
+    w->below += p->model->density(&p->state, below) != 0 || p->model->value(&p->state, below) != 0;
+}
+
+void lobe_hemisphere_direction(const lobe_settings *settings, uint64_t index, double wo[3]) {
+    /* Counted from the far end: the draws of the same stream start at 0. */
+    lobe_random4 r = lobe_random(settings->seed, settings->stream, UINT64_MAX - index);
+    double z = lobe_random_unit_f64(r.word[0], r.word[1]);
+    double angle = 6.283185307179586477 * lobe_random_unit_f64(r.word[2], r.word[3]);
+    double radius = sqrt((1 - z) * (1 + z));
+    wo[0] = radius * cos(angle);
+    wo[1] = radius * sin(angle);
+    wo[2] = z;
+    /* What a model in single precision is given is what its twin is given. */
+    for (int k = 0; k < 3; ++k) wo[k] = (float)wo[k];
+}
+
+static void report_directions(const lobe_verify_model *model, const worst *w, int checks,
+                              lobe_report *report) {
+    lobe_report_error(report, "density", w->density, LIMIT, "%d draws", w->accepted);
+    lobe_report_error(report, "weight", w->weight, LIMIT, "%d draws", w->accepted);
+    if (isfinite(model->weight_bound)) {
+        lobe_report_error(report, "bound", w->largest_weight,
+                          model->weight_bound * (1 + LIMIT * model->rounding), "%d draws",
+                          w->accepted);
+    }
+    if (model->is_reciprocal && model->wi[2] > 0) {
+        lobe_report_error(report, "reciprocity", w->reciprocity, LIMIT, "%d pairs", checks);
+    }
+    if (model->twin != NULL) {
+        lobe_report_error(report, "precision", fmax(w->precision_density, w->precision_value),
+                          LIMIT, "density %.3g, value %.3g", w->precision_density,
+                          w->precision_value);
+    }
+    lobe_report_error(report, "support", (double)w->below / checks, 0, "%d directions below",
+                      checks);
+}
+
+void lobe_test_directions(const lobe_verify_model *model, const lobe_settings *settings,
+                          lobe_report *report) {
+    pair p;
+    prepare_pair(&p, model, model->wi);
+    worst w = {0};
+    for (int i = 0; i < settings->checks; ++i) {
+        double u[3], wo[3];
+        lobe_random_numbers(model, settings, (uint64_t)i, u);
+        lobe_verify_draw draw = model->sample(&p.state, u);
+        if (draw.pdf > 0) {
+            check_draw(&p, &draw, &w);
+            check_precision(&p, draw.wo, &w);
+            check_reciprocity(&p, draw.wo, &w);
+        }
+        lobe_hemisphere_direction(settings, (uint64_t)i, wo);
+        check_precision(&p, wo, &w);
+        check_reciprocity(&p, wo, &w);
+        check_support(&p, wo, &w);
+    }
+    report_directions(model, &w, settings->checks, report);
+}

@@ -1,0 +1,56 @@
+#include "engine.h"
+
+#include <math.h>
+
+#include "tests.h"
+
+lobe_settings lobe_level_settings(lobe_verify_level level) {
+    lobe_settings quick = {.draws = 131072, .grid = 16, .checks = 256, .seed = 1, .threads = 1};
+    lobe_settings full = {.draws = 100000000, .grid = 64, .checks = 65536, .seed = 1, .threads = 1};
+    return level == LOBE_VERIFY_FULL ? full : quick;
+}
+
+lobe_verify_model lobe_verify_plain_model(void) {
+    return (lobe_verify_model){.rounding = 2.220446049250313e-16,
+                               .random_bits = 53,
+                               .chart = lobe_hemisphere_chart(),
+                               .weight_bound = INFINITY,
+                               .accepted = NAN,
+                               .accepted_oracle = NAN,
+                               .density_oracle = NAN,
+                               .albedo_oracle = NAN};
+}
+
+/* Cutting the weights keeps the variance of a heavy tail finite and known. Where a bound is
+ * promised the cut only bites on a broken promise. */
+static double weight_cut(const lobe_verify_model *model) {
+    return isfinite(model->weight_bound) ? 2 * model->weight_bound : 16;
+}
+
+static void test_all(const lobe_verify_model *model, const lobe_settings *settings,
+                     const lobe_bins *bins, const lobe_tally *tally, lobe_report *report) {
+    lobe_test_draws(model, settings, bins, tally, report);
+    lobe_test_integrals(model, settings, bins, report);
+    lobe_test_directions(model, settings, report);
+    lobe_test_extreme(model, report);
+}
+
+int lobe_verify_model_run(const lobe_verify_model *model, const lobe_settings *settings,
+                          lobe_monitor *monitor, lobe_report *report) {
+    report->count = 0;
+    if (model->is_mirror) {
+        lobe_test_mirror(model, settings, report);
+        lobe_test_extreme(model, report);
+        return 1;
+    }
+    lobe_bins bins;
+    if (!lobe_bins_make(&bins, model, settings->grid, weight_cut(model))) return 0;
+    lobe_tally tally;
+    int is_good = lobe_tally_make(&tally, model, &bins, settings, monitor);
+    if (is_good) {
+        test_all(model, settings, &bins, &tally, report);
+        lobe_tally_free(&tally);
+    }
+    lobe_bins_free(&bins);
+    return is_good;
+}

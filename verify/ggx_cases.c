@@ -1,0 +1,40 @@
+#include "ggx_cases.h"
+
+typedef struct configuration {
+    double alpha_x, alpha_y;
+    double theta, phi;
+    lobe_g2 g2;
+} configuration;
+
+/* Smooth to very rough, round to 150:1, straight on to grazing to behind; closed forms at alpha = 1
+ * and at theta = 0; the mirror, and one roughness below the floor. */
+static const configuration CONFIGURATIONS[] = {
+    {1, 1, 0, 0, LOBE_G2_CORRELATED},          {1, 1, 60, 30, LOBE_G2_SEPARABLE},
+    {1, 1, 75, 20, LOBE_G2_CORRELATED},        {0.3, 0.3, 0, 0, LOBE_G2_SEPARABLE},
+    {0.7, 0.7, 40, 0, LOBE_G2_CORRELATED},     {0.05, 0.05, 30, 60, LOBE_G2_CORRELATED},
+    {0.001, 0.001, 50, 0, LOBE_G2_CORRELATED}, {0.3, 0.3, 88, 10, LOBE_G2_CORRELATED},
+    {0.2, 0.8, 40, 45, LOBE_G2_CORRELATED},    {0.2, 0.8, 60, 90, LOBE_G2_SEPARABLE},
+    {0.1, 1, 60, 45, LOBE_G2_CORRELATED},      {0.5, 1, 75, 0, LOBE_G2_CORRELATED},
+    {0.02, 0.5, 20, 70, LOBE_G2_CORRELATED},   {0.9, 0.3, 85, 300, LOBE_G2_SEPARABLE},
+    {2, 2, 30, 0, LOBE_G2_CORRELATED},         {1.5, 0.4, 65, 120, LOBE_G2_CORRELATED},
+    {0.6, 0.6, 90, 0, LOBE_G2_CORRELATED},     {0.4, 0.4, 100, 0, LOBE_G2_CORRELATED},
+    {0.2, 0.7, 120, 40, LOBE_G2_SEPARABLE},    {1, 1, 150, 10, LOBE_G2_CORRELATED},
+    {0.3, 0.1, 95, 200, LOBE_G2_CORRELATED},   {0.002, 0.3, 70, 30, LOBE_G2_CORRELATED},
+    {0, 0.2, 45, 80, LOBE_G2_CORRELATED},      {0, 0, 40, 0, LOBE_G2_CORRELATED},
+};
+
+enum { CONFIGURATION_COUNT = sizeof CONFIGURATIONS / sizeof *CONFIGURATIONS };
+
+size_t lobe_ggx_case_count(void) {
+    return (size_t)LOBE_METHOD_COUNT * LOBE_PRECISION_COUNT * CONFIGURATION_COUNT;
+}
+
+lobe_ggx_case lobe_ggx_case_at(size_t index) {
+    const configuration *c = &CONFIGURATIONS[index % CONFIGURATION_COUNT];
+    size_t model = index / CONFIGURATION_COUNT;
+    lobe_ggx_options options = lobe_ggx_default_options();
+    options.method = (lobe_method)(model / LOBE_PRECISION_COUNT);
+    options.g2 = c->g2;
+    return (lobe_ggx_case){{options, c->alpha_x, c->alpha_y, c->theta, c->phi},
+                           (lobe_precision)(model % LOBE_PRECISION_COUNT)};
+}

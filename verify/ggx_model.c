@@ -1,0 +1,82 @@
+#include "ggx_model.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "ggx_oracles.h"
+
+static const double SPECIAL_ALPHA[] = {
+    0.0, -0.0,    FLT_TRUE_MIN, DBL_TRUE_MIN, FLT_MIN,  1e-7,     1e-4,      0.01, 1,
+    1e4, FLT_MAX, -FLT_MIN,     -1,           -FLT_MAX, INFINITY, -INFINITY, NAN};
+enum { SPECIAL_ALPHAS = sizeof SPECIAL_ALPHA / sizeof *SPECIAL_ALPHA };
+
+#define REAL float
+#define NAME(stem) stem##_f32
+#include "ggx_model_template.h"
+
+#define REAL double
+#define NAME(stem) stem##_f64
+#include "ggx_model_template.h"
+
+static double rounded(double x, lobe_precision precision) {
+    return precision == LOBE_PRECISION_F32 ? (float)x : x;
+}
+
+/* The degrees of a table are exact at the axes; their sines and cosines shall be too. */
+static void incidence(const lobe_ggx_parameters *p, double wi[3]) {
+    const double degree = 0.01745329251994329577;
+    double sine = sin(p->theta * degree);
+    wi[0] = sine * cos(p->phi * degree);
+    wi[1] = sine * sin(p->phi * degree);
+    wi[2] = p->theta == 90 ? 0 : cos(p->theta * degree);
+}
+
+void lobe_ggx_subject_name(lobe_ggx_parameters parameters, lobe_precision precision, char *name,
+                           size_t name_size, char *configuration, size_t configuration_size) {
+    const lobe_ggx_parameters *p = &parameters;
+    snprintf(name, name_size, "%s %s", lobe_method_name(p->options.method),
+             precision == LOBE_PRECISION_F32 ? "f32" : "f64");
+    snprintf(configuration, configuration_size, "alpha=%g,%g theta=%g phi=%g g2=%s", p->alpha_x,
+             p->alpha_y, p->theta, p->phi,
+             p->options.g2 == LOBE_G2_SEPARABLE ? "separable" : "correlated");
+}
+
+static void round_parameters(lobe_ggx_parameters *p, lobe_precision precision) {
+    p->alpha_x = rounded(p->alpha_x, precision);
+    p->alpha_y = rounded(p->alpha_y, precision);
+}
+
+void lobe_ggx_subject_make(lobe_ggx_subject *subject, lobe_ggx_parameters parameters,
+                           lobe_precision precision) {
+    lobe_ggx_subject_name(parameters, precision, subject->name, sizeof subject->name,
+                          subject->configuration, sizeof subject->configuration);
+    round_parameters(&parameters, precision);
+    subject->parameters = parameters;
+    lobe_verify_model *model = &subject->model;
+    *model = lobe_verify_plain_model();
+    model->name = subject->name;
+    model->configuration = subject->configuration;
+    model->self = &subject->parameters;
+    incidence(&parameters, model->wi);
+    for (int k = 0; k < 3; ++k) model->wi[k] = rounded(model->wi[k], precision);
+    double ax = fmax(parameters.alpha_x, rounded(LOBE_GGX_ALPHA_MIN, precision));
+    double ay = fmax(parameters.alpha_y, rounded(LOBE_GGX_ALPHA_MIN, precision));
+    subject->chart = lobe_ggx_chart_prepare(model->wi, ax, ay);
+    model->chart = lobe_ggx_chart_view(&subject->chart);
+    model->is_reciprocal = 1;
+    model->is_mirror = fmax(parameters.alpha_x, parameters.alpha_y) < LOBE_GGX_ALPHA_MIN;
+
+    subject->twin = *model;
+    set_functions_f64(&subject->twin);
+    if (precision == LOBE_PRECISION_F64) {
+        set_functions_f64(model);
+    } else {
+        set_functions_f32(model);
+        model->rounding = FLT_EPSILON;
+        model->random_bits = 24;
+        model->twin = &subject->twin;
+    }
+    lobe_ggx_set_oracles(subject);
+}

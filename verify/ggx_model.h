@@ -1,0 +1,39 @@
+/* The library's Smith-GGX as a model to verify: one method, roughness and incidence. */
+#ifndef LOBE_VERIFY_GGX_MODEL_H
+#define LOBE_VERIFY_GGX_MODEL_H
+
+#include <lobe/ggx.h>
+
+#include "ggx_chart.h"
+#include "model.h"
+
+typedef enum lobe_precision {
+    LOBE_PRECISION_F32,
+    LOBE_PRECISION_F64,
+    LOBE_PRECISION_COUNT
+} lobe_precision;
+
+typedef struct lobe_ggx_parameters {
+    lobe_ggx_options options;
+    double alpha_x, alpha_y;
+    double theta, phi; /* of wi, degrees */
+} lobe_ggx_parameters;
+
+/* Stays where it is made: the model points into it. */
+typedef struct lobe_ggx_subject {
+    lobe_ggx_parameters parameters;
+    lobe_ggx_chart chart;
+    lobe_verify_model twin;
+    lobe_verify_model model;
+    char name[48];
+    char configuration[96];
+} lobe_ggx_subject;
+
+void lobe_ggx_subject_make(lobe_ggx_subject *subject, lobe_ggx_parameters parameters,
+                           lobe_precision precision);
+
+/* "bounded f32" and "alpha=0.5,0.2 theta=40 phi=30 g2=correlated". */
+void lobe_ggx_subject_name(lobe_ggx_parameters parameters, lobe_precision precision, char *name,
+                           size_t name_size, char *configuration, size_t configuration_size);
+
+#endif

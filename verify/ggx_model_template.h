@@ -1,0 +1,72 @@
+/* The three functions of the library's GGX, once for each precision. Before including:
+ *   REAL        float or double
+ *   NAME(stem)  stem_f32 or stem_f64 */
+
+static NAME(lobe_vec3) NAME(vector)(const double v[3]) {
+    NAME(lobe_vec3) r = {(REAL)v[0], (REAL)v[1], (REAL)v[2]};
+    return r;
+}
+
+/* Through a copy, as a byte array may not be read as another type. */
+static NAME(lobe_ggx) NAME(load)(const lobe_verify_state *state) {
+    NAME(lobe_ggx) ggx;
+    memcpy(&ggx, state->bytes, sizeof ggx);
+    return ggx;
+}
+
+static void NAME(prepare_with)(const lobe_ggx_parameters *p, const double wi[3], double alpha_x,
+                               double alpha_y, lobe_verify_state *state) {
+    NAME(lobe_ggx)
+    ggx = NAME(lobe_ggx_prepare)(p->options, NAME(vector)(wi), (REAL)alpha_x, (REAL)alpha_y);
+    _Static_assert(sizeof ggx <= sizeof state->bytes, "lobe_verify_state is too small");
+    memcpy(state->bytes, &ggx, sizeof ggx);
+}
+
+static void NAME(prepare)(const void *self, const double wi[3], lobe_verify_state *state) {
+    const lobe_ggx_parameters *p = self;
+    NAME(prepare_with)(p, wi, p->alpha_x, p->alpha_y, state);
+}
+
+static int NAME(prepare_special)(const void *self, const double wi[3], size_t index,
+                                 lobe_verify_state *state) {
+    if (index >= SPECIAL_ALPHAS * SPECIAL_ALPHAS) return 0;
+    NAME(prepare_with)
+    (self, wi, SPECIAL_ALPHA[index % SPECIAL_ALPHAS], SPECIAL_ALPHA[index / SPECIAL_ALPHAS], state);
+    return 1;
+}
+
+static lobe_verify_draw NAME(sample)(const lobe_verify_state *state, const double u[3]) {
+    NAME(lobe_ggx) ggx = NAME(load)(state);
+    NAME(lobe_ggx_draw) s = NAME(lobe_ggx_sample)(&ggx, (REAL)u[0], (REAL)u[1], (REAL)u[2]);
+    return (lobe_verify_draw){{s.wo.x, s.wo.y, s.wo.z}, s.pdf, s.weight};
+}
+
+static double NAME(density)(const lobe_verify_state *state, const double wo[3]) {
+    NAME(lobe_ggx) ggx = NAME(load)(state);
+    return NAME(lobe_ggx_pdf)(&ggx, NAME(vector)(wo));
+}
+
+static double NAME(value)(const lobe_verify_state *state, const double wo[3]) {
+    NAME(lobe_ggx) ggx = NAME(load)(state);
+    return NAME(lobe_ggx_eval_wo)(&ggx, NAME(vector)(wo)).f_cos;
+}
+
+static double NAME(acceptance)(const lobe_verify_state *state) {
+    NAME(lobe_ggx) ggx = NAME(load)(state);
+    return NAME(lobe_ggx_acceptance)(&ggx);
+}
+
+static void NAME(set_functions)(lobe_verify_model *model) {
+    model->prepare = NAME(prepare);
+    model->prepare_special = NAME(prepare_special);
+    model->sample = NAME(sample);
+    model->density = NAME(density);
+    model->value = NAME(value);
+    lobe_verify_state state;
+    NAME(prepare)(model->self, model->wi, &state);
+    double share = NAME(acceptance)(&state);
+    model->accepted = share >= 0 ? share : NAN;
+}
+
+#undef REAL
+#undef NAME

@@ -1,0 +1,93 @@
+#include "ggx_oracles.h"
+
+#include <math.h>
+
+#include "cubature.h"
+
+/* How a method covers the reflections that leave the surface; decides what is known of it. */
+typedef enum coverage {
+    COVERAGE_OTHER,
+    COVERAGE_VISIBLE, /* every visible normal, by its area */
+    COVERAGE_CAP      /* a smaller cap: exact at normal incidence and where alpha = 1 */
+} coverage;
+
+typedef struct method_facts {
+    double weight_bound; /* 0: none */
+    coverage coverage;
+} method_facts;
+
+/* The one place for facts about a method. A method without a row is verified all the same, without
+ * independent closed forms. */
+static const method_facts FACTS[LOBE_METHOD_COUNT] = {
+    [LOBE_METHOD_SLOPE_PUBLISHED] = {1, COVERAGE_VISIBLE},
+    [LOBE_METHOD_SLOPE] = {1, COVERAGE_VISIBLE},
+    [LOBE_METHOD_ELLIPSOID] = {1, COVERAGE_VISIBLE},
+    [LOBE_METHOD_CAPS] = {1, COVERAGE_VISIBLE},
+    [LOBE_METHOD_BOUNDED] = {1, COVERAGE_CAP},
+    [LOBE_METHOD_OPTIMAL] = {1, COVERAGE_CAP},
+};
+
+static const double PI = 3.14159265358979323846;
+static const double LN2 = 0.69314718055994530942;
+
+typedef struct surface {
+    double alpha; /* 0: anisotropic */
+    double mu;
+    int is_separable;
+} surface;
+
+static surface surface_of(const lobe_ggx_subject *subject) {
+    const lobe_ggx_parameters *p = &subject->parameters;
+    return (surface){p->alpha_x == p->alpha_y ? p->alpha_x : 0, subject->model.wi[2],
+                     p->options.g2 == LOBE_G2_SEPARABLE};
+}
+
+/* Share of the visible normals that reflect upward. */
+static double visible_share(const surface *s, const lobe_ggx_chart *chart) {
+    if (s->mu <= 0) return 1;
+    if (s->mu == 1 && s->alpha > 0) return 1 / (1 + s->alpha * s->alpha);
+    if (s->alpha == 1) return 1 / (1 + s->mu);
+    return lobe_ggx_chart_visible_share(chart);
+}
+
+static double accepted_share(const surface *s, coverage method, const lobe_ggx_chart *chart) {
+    int is_exact = s->alpha == 1 || (s->mu == 1 && s->alpha > 0 && s->alpha < 1);
+    if (method == COVERAGE_VISIBLE) return visible_share(s, chart);
+    if (method == COVERAGE_CAP && (is_exact || s->mu <= 0)) return 1;
+    return NAN;
+}
+
+/* At normal incidence, over w = sin^2 of the stretched normal; the same for both G2. */
+static void normal_albedo_integrand(const void *self, double w, double y,
+                                    double values[LOBE_CUBATURE_VALUES]) {
+    (void)y;
+    double a2 = *(const double *)self * *(const double *)self;
+    double up = 1 - w;
+    values[0] = 2 * up / (up + sqrt(up * up + 4 * a2 * w)) * a2 / ((a2 + w) * (a2 + w));
+}
+
+static double normal_albedo(double alpha) {
+    lobe_integrand integrand = {normal_albedo_integrand, &alpha, 1, {1e-13}};
+    double sum[LOBE_CUBATURE_VALUES];
+    lobe_cubature(&integrand, (lobe_box){{0, 0}, {1, 1}}, sum);
+    return sum[0];
+}
+
+static double albedo(const surface *s) {
+    if (s->mu <= 0) return NAN;
+    if (s->mu == 1 && s->alpha > 0) return normal_albedo(s->alpha);
+    if (s->alpha != 1) return NAN;
+    return s->is_separable ? 2 * (1 - LN2) / (1 + s->mu) : 1 - s->mu * log1p(1 / s->mu);
+}
+
+void lobe_ggx_set_oracles(lobe_ggx_subject *subject) {
+    lobe_verify_model *model = &subject->model;
+    const method_facts *facts = &FACTS[subject->parameters.options.method];
+    surface s = surface_of(subject);
+    if (facts->weight_bound > 0) model->weight_bound = facts->weight_bound;
+    model->accepted_oracle = accepted_share(&s, facts->coverage, &subject->chart);
+    model->albedo_oracle = albedo(&s);
+    if (facts->coverage == COVERAGE_CAP && s.alpha == 1 && s.mu > 0) {
+        model->density_oracle = 1 / (2 * PI);
+    }
+}
