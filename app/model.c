@@ -86,6 +86,15 @@ static lobe_vec3_f64 widen(lobe_vec3_f32 v) {
     return (lobe_vec3_f64){v.x, v.y, v.z};
 }
 
+/* false: the model is invalid in its precision. */
+static bool prepare(const lobe_app_model_values *values, lobe_ggx_options options, lobe_vec3_f64 wi,
+                    lobe_app_model *model) {
+    const double ax = values->alpha[0], ay = values->alpha[1];
+    model->f32 = lobe_ggx_prepare_f32(options, narrow(wi), (float)ax, (float)ay);
+    model->f64 = lobe_ggx_prepare_f64(options, wi, ax, ay);
+    return model->precision == LOBE_APP_F32 ? model->f32.is_valid : model->f64.is_valid;
+}
+
 lobe_app_status lobe_app_prepare(const lobe_app_model_values *values,
                                  const lobe_app_arguments *arguments, lobe_app_model *model) {
     if (!lobe_app_is_given(arguments, "--alpha"))
@@ -97,11 +106,9 @@ lobe_app_status lobe_app_prepare(const lobe_app_model_values *values,
                                       (lobe_normalization)values->normalization};
     model->precision = (lobe_app_precision)values->precision;
     model->fresnel = values->fresnel;
-    model->f32 = lobe_ggx_prepare_f32(options, narrow(values->wi), (float)values->alpha[0],
-                                      (float)values->alpha[1]);
-    model->f64 = lobe_ggx_prepare_f64(options, values->wi, values->alpha[0], values->alpha[1]);
-    if (model->precision == LOBE_APP_F32 ? model->f32.is_valid : model->f64.is_valid)
-        return LOBE_APP_DONE;
+    if (prepare(values, options, values->wi, model)) return LOBE_APP_DONE;
+    if (prepare(values, options, (lobe_vec3_f64){0, 0, 1}, model))
+        return lobe_app_reject("--wi", "tilt the direction", "no microfacet faces it");
     return lobe_app_reject("--alpha", "give a smaller roughness",
                            "%g,%g is too large for the precision", values->alpha[0],
                            values->alpha[1]);

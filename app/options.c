@@ -13,20 +13,19 @@ enum { HELP_COLUMN = 30, HELP_WIDTH = 96 };
 
 /* Prints words from the present column on, and goes on below HELP_COLUMN. */
 static void print_wrapped(const char *text, size_t column) {
+    const char *gap = "";
     while (*text) {
         const size_t length = strcspn(text, " ");
-        if (column + length > HELP_WIDTH && column > HELP_COLUMN) {
+        if (*gap && column + 1 + length > HELP_WIDTH) {
             lobe_app_print("\n%*s", HELP_COLUMN, "");
             column = HELP_COLUMN;
+            gap = "";
         }
-        lobe_app_print("%.*s", (int)length, text);
+        lobe_app_print("%s%.*s", gap, (int)length, text);
+        column += strlen(gap) + length;
         text += length;
-        column += length;
-        if (*text == ' ') {
-            if (text[1]) lobe_app_print(" ");
-            text++;
-            column++;
-        }
+        text += *text == ' ';
+        gap = " ";
     }
 }
 

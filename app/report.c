@@ -26,7 +26,7 @@ void lobe_app_report_line(const char *message) {
 static void report(const char *where, const char *hint, const char *what, va_list arguments) {
     char event[PART_SIZE], line[LINE_SIZE];
     vsnprintf(event, sizeof event, what, arguments);
-    snprintf(line, sizeof line, "%.*s: %s; %s", PART_SIZE, where, event, hint);
+    snprintf(line, sizeof line, "%.*s: %s; %s", PART_SIZE, *where ? where : "''", event, hint);
     lobe_app_report_line(line);
 }
 

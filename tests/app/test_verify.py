@@ -1,0 +1,63 @@
+"""lobe verify: table, last line, status; and that it says the same every time."""
+import json
+
+from program import ProgramTest, main, run
+
+FEW = ["--only", "caps f32*theta=60", "--draws", "20000"]
+
+
+class VerifyTest(ProgramTest):
+    def test_table_and_summary(self):
+        lines = self.done("verify", *FEW).decode().splitlines()
+        self.assertGreater(len(lines), 10)
+        self.assertEqual(lines[-1], f"{len(lines) - 1} passed, 0 failed")
+        for line in lines[:-1]:
+            self.assertRegex(line, r"^ok +caps f32 .*theta=60.* limit ")
+
+    def test_threads_and_runs_agree(self):
+        self.assertEqual(self.done("verify", *FEW, "--threads", "1"),
+                         self.done("verify", *FEW, "--threads", "3"))
+
+    def test_seed_decides(self):
+        self.assertNotEqual(self.done("verify", *FEW, "--seed", "2"),
+                            self.done("verify", *FEW, "--seed", "3"))
+
+    def test_json(self):
+        rows = [json.loads(line) for line in self.done("verify", *FEW, "--json").splitlines()]
+        summary = rows.pop()
+        self.assertEqual((summary["passed"], summary["failed"]), (len(rows), 0))
+        self.assertEqual({row["passed"] for row in rows}, {True})
+        self.assertIn("chi2", {row["test"] for row in rows})
+
+    def test_failure_is_status_3(self):
+        """Two million draws show the error of the published fit, and none of the exact inversion."""
+        few = ["--draws", "2000000", "--failures"]
+        case = " f32 alpha=0.1,1 theta=60"
+        wrong = run("verify", "--only", "slope-published" + case, *few)
+        self.assertEqual((wrong.returncode, wrong.stderr), (3, b""))
+        lines = wrong.stdout.decode().splitlines()
+        self.assertRegex(lines[-1], r"^\d+ passed, [1-9]\d* failed$")
+        self.assertTrue(all(line.startswith("FAILED slope-published") for line in lines[:-1]))
+        right = run("verify", "--only", "slope" + case, *few)
+        self.assertEqual(right.returncode, 0)
+
+    def test_list(self):
+        cases = self.done("verify", "--list").decode().splitlines()
+        self.assertEqual(len(cases), len(set(cases)))
+        for method in ("ndf", "slope-published", "slope", "ellipsoid", "caps", "bounded", "optimal"):
+            for precision in ("f32", "f64"):
+                self.assertTrue(any(c.startswith(f"{method} {precision} ") for c in cases), method)
+        some = self.done("verify", "--list", "--only", "bounded").decode().splitlines()
+        self.assertEqual(some, [case for case in cases if "bounded" in case])
+
+    def test_bad_options(self):
+        self.rejected("verify", "--only", "no such model")
+        self.rejected("verify", "--list", "--only", "no such model", where="--only")
+        self.rejected("verify", "--quick", "--full", where="--quick")
+        self.rejected("verify", *FEW[:2], "--draws", "10")
+        self.rejected("verify", "--threads", "100000", where="--threads")
+        self.rejected("verify", "--seed", "x", where="--seed")
+
+
+if __name__ == "__main__":
+    main()
