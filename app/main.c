@@ -17,13 +17,14 @@ static const struct {
     {"sample", lobe_app_sample, "draw directions, with densities and weights"},
     {"eval", lobe_app_eval, "evaluate densities and values at given directions"},
     {"verify", lobe_app_verify, "prove models and methods by statistics"},
+    {"render", lobe_app_render, "path-trace a scene"},
 };
 
 enum { COMMANDS = sizeof commands / sizeof commands[0] };
 
 static lobe_app_status print_help(void) {
     lobe_app_print("Usage: lobe COMMAND [OPTIONS]\n\n"
-                   "Microfacet reflection: sampled, evaluated, proven.\n\nCommands\n");
+                   "Microfacet reflection: sampled, evaluated, proven, rendered.\n\nCommands\n");
     for (int i = 0; i < COMMANDS; i++)
         lobe_app_print("  %-10s%s\n", commands[i].name, commands[i].about);
     lobe_app_print("\n  --help    this page; lobe COMMAND --help has the options\n"

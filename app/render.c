@@ -1,0 +1,277 @@
+/* app/render.c: `lobe render`: path-trace a scene. */
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <jansson.h>
+
+#include <lobe/render.h>
+
+#include "commands.h"
+#include "interrupt.h"
+#include "model.h"
+#include "number.h"
+#include "options.h"
+#include "output.h"
+#include "progress.h"
+
+typedef struct picture_size {
+    int width, height;
+} picture_size;
+
+typedef struct render_values {
+    const char *out, *environment, *camera, *reference;
+    uint64_t spp, depth, seed, threads;
+    double time_limit, exposure, rotation, material[5];
+    picture_size size;
+    uint32_t aovs;
+    int method, g2, normalization, heuristic, progress;
+    bool strict, ground, list_scenes, json;
+} render_values;
+
+static const char *const heuristics[] = {"balance", "power", "bsdf-only", "light-only", NULL};
+
+static bool read_size(const lobe_app_option *option, const char *text, void *value) {
+    picture_size *size = value;
+    char extra;
+    if (strspn(text, "0123456789x") == strlen(text) && strlen(text) < 12 &&
+        sscanf(text, "%dx%d%c", &size->width, &size->height, &extra) == 2)
+        return true;
+    lobe_app_reject(option->name, "give pixels as 960x540", "'%.40s' is not a size", text);
+    return false;
+}
+
+static bool read_aovs(const lobe_app_option *option, const char *text, void *value) {
+    uint32_t *bits = value;
+    *bits = 0;
+    while (*text) {
+        char name[32] = {0};
+        const size_t length = strcspn(text, ",");
+        if (length < sizeof name) memcpy(name, text, length);
+        const lobe_aov aov = lobe_aov_from_name(name);
+        if (aov == LOBE_AOV_COUNT) {
+            lobe_app_reject(option->name, "known are albedo, normal, depth, rejected",
+                            "'%.40s' is not a channel", text);
+            return false;
+        }
+        *bits |= LOBE_AOV_BIT(aov);
+        text += length + (text[length] == ',');
+    }
+    return true;
+}
+
+static bool read_material(const lobe_app_option *option, const char *text, void *value) {
+    if (lobe_app_read_numbers(text, 5, 5, value) == 5) return true;
+    lobe_app_reject(option->name, "give R,G,B,METALLIC,ROUGHNESS, each in [0, 1]",
+                    "'%.60s' is not a material", text);
+    return false;
+}
+
+#define AT(member) offsetof(render_values, member)
+
+static const lobe_app_option picture_options[] = {
+    {"-o", "FILE", NULL, "the picture: .exr, .png, .hdr or .pfm", lobe_app_read_name, AT(out), NULL},
+    {"--size", "WxH", "960x540", "in pixels", read_size, AT(size), NULL},
+    {"--spp", "N", "64", "camera paths a pixel", lobe_app_read_count, AT(spp), NULL},
+    {"--time", "S", "none", "seconds after which to stop with what is finished", lobe_app_read_f64,
+     AT(time_limit), NULL},
+    {"--depth", "N", "8", "greatest number of surface scatterings on a path", lobe_app_read_u64,
+     AT(depth), NULL},
+    {"--seed", "S", "0", "of the random numbers, any whole number", lobe_app_read_u64, AT(seed), NULL},
+    {"--threads", "N", "one a processor", "the picture does not depend on it", lobe_app_read_count,
+     AT(threads), NULL},
+    {"--exposure", "EV", "0", "stops, for the written picture", lobe_app_read_f64, AT(exposure), NULL},
+    {"--aov", "LIST", "none", "more channels for .exr: albedo,normal,depth,rejected", read_aovs,
+     AT(aovs), NULL},
+    {"--camera", "NAME", "the first", "a camera of the file", lobe_app_read_name, AT(camera), NULL},
+    {0}};
+
+static const lobe_app_option scene_options[] = {
+    {"--env", "FILE", "the scene's own light, or a sky", "panorama to light with", lobe_app_read_name,
+     AT(environment), NULL},
+    {"--env-rotate", "DEG", "0", "degrees about +Y", lobe_app_read_f64, AT(rotation), NULL},
+    {"--material", "R,G,B,M,R", "0.8,0.8,0.8,0,0.5",
+     "colour, metallic and roughness of meshes that bring no material", read_material, AT(material),
+     NULL},
+    {"--ground", NULL, NULL, "put a large matte floor below a file's scene", NULL, AT(ground), NULL},
+    {"--strict", NULL, NULL, "a warning is an error", NULL, AT(strict), NULL},
+    {"--list-scenes", NULL, NULL, "print the built-in scenes and stop", NULL, AT(list_scenes), NULL},
+    {0}};
+
+static const lobe_app_option method_options[] = {
+    {"--method", "NAME", "optimal", "how to sample reflection", lobe_app_read_choice, AT(method),
+     lobe_app_methods},
+    {"--g2", "NAME", "correlated", "masking and shadowing", lobe_app_read_choice, AT(g2), lobe_app_g2s},
+    {"--normalization", "NAME", "unbiased", "of the densities behind a shading normal",
+     lobe_app_read_choice, AT(normalization), lobe_app_normalizations},
+    {"--heuristic", "NAME", "power", "how light and surface samples are combined",
+     lobe_app_read_choice, AT(heuristic), heuristics},
+    {0}};
+
+static const lobe_app_option output_options[] = {
+    {"--reference", "FILE", NULL, "print the error against this picture", lobe_app_read_name,
+     AT(reference), NULL},
+    {"--json", NULL, NULL, "statistics as JSON on standard output", NULL, AT(json), NULL},
+    LOBE_APP_PROGRESS_OPTION(render_values, progress),
+    {0}};
+
+static render_values default_values(void) {
+    const lobe_render_options r = lobe_render_default_options();
+    return (render_values){.spp = r.samples, .depth = (uint64_t)r.depth,
+                           .size = {r.width, r.height}, .method = (int)r.ggx.method,
+                           .heuristic = (int)r.heuristic, .material = {0.8, 0.8, 0.8, 0, 0.5}};
+}
+
+static lobe_app_status list_scenes(void) {
+    for (size_t i = 0; lobe_builtin_scene_name(i); i++)
+        lobe_app_print("%-15s%s\n", lobe_builtin_scene_name(i), lobe_builtin_scene_about(i));
+    return LOBE_APP_DONE;
+}
+
+static void print_warning(void *user, const char *message) {
+    (void)user;
+    lobe_app_report_line(message);
+}
+
+static lobe_app_status failed(lobe_render_result result) {
+    lobe_app_report_line(lobe_render_error_message());
+    return result == LOBE_RENDER_BAD_INPUT ? LOBE_APP_BAD_INPUT : LOBE_APP_FAILED;
+}
+
+static void show_progress(void *user, const lobe_render_progress *p) {
+    lobe_app_show_progress(user, p->fraction, (double)p->samples);
+}
+
+static lobe_render_options render_options(const render_values *v, lobe_app_progress *progress) {
+    lobe_render_options r = lobe_render_default_options();
+    r.ggx = (lobe_ggx_options){(lobe_method)v->method, (lobe_g2)v->g2,
+                               (lobe_normalization)v->normalization};
+    r.width = v->size.width;
+    r.height = v->size.height;
+    r.samples = (uint32_t)v->spp;
+    r.depth = (int)v->depth;
+    r.seed = v->seed;
+    r.threads = (int)v->threads;
+    r.time_limit = v->time_limit;
+    r.camera = v->camera;
+    r.heuristic = (lobe_heuristic)v->heuristic;
+    r.aovs = v->aovs;
+    r.progress = show_progress;
+    r.progress_user = progress;
+    r.cancel = &lobe_app_interrupted;
+    return r;
+}
+
+static lobe_scene_options scene_options_of(const render_values *v) {
+    lobe_scene_options s = lobe_scene_default_options();
+    s.environment = v->environment;
+    s.environment_rotation = (float)v->rotation;
+    s.strict = v->strict;
+    s.ground = v->ground;
+    for (int c = 0; c < 3; c++) s.default_base_color[c] = (float)v->material[c];
+    s.default_metallic = (float)v->material[3];
+    s.default_roughness = (float)v->material[4];
+    s.warning = print_warning;
+    return s;
+}
+
+/* What was measured, with the error against the reference if there is one. */
+static void print_statistics(const render_values *v, const char *scene,
+                             const lobe_render_statistics *st, const lobe_film_difference *d) {
+    if (!v->json) {
+        if (v->reference)
+            lobe_app_print("rmse %.6g, relative mse %.6g, mean %.6g of %.6g\n", d->rmse,
+                           d->relative_mse, d->mean, d->mean_reference);
+        return;
+    }
+    json_t *o = json_pack(
+        "{ss ss sI si sI sI sI sI sf sf sf}", "scene", scene, "method",
+        lobe_method_name((lobe_method)v->method), "samples", (json_int_t)st->samples, "spp",
+        (int)st->pixel_samples, "rays", (json_int_t)st->rays, "draws", (json_int_t)st->ggx_draws,
+        "rejected", (json_int_t)st->ggx_rejected, "dropped", (json_int_t)st->dropped_samples,
+        "rejected_share", st->rejected_share, "seconds", st->seconds, "cpu_seconds", st->cpu_seconds);
+    if (v->reference)
+        json_object_set_new(o, "error", json_pack("{sf sf sf sf}", "rmse", d->rmse, "relmse",
+                                                  d->relative_mse, "mean", d->mean,
+                                                  "mean_reference", d->mean_reference));
+    char *text = o ? json_dumps(o, JSON_COMPACT) : NULL;
+    if (text) lobe_app_print("%s\n", text);
+    free(text);
+    json_decref(o);
+}
+
+static lobe_app_status finish_picture(const render_values *v, const char *scene, lobe_film *film,
+                                      const lobe_render_statistics *st) {
+    lobe_film_write_options write = lobe_film_default_write_options();
+    lobe_film_difference difference = {0};
+    write.exposure = (float)v->exposure;
+    lobe_render_result result = LOBE_RENDER_OK;
+    if (v->out) result = lobe_film_write(film, v->out, write);
+    if (result == LOBE_RENDER_OK && v->reference) {
+        lobe_film *reference = NULL;
+        result = lobe_film_read(v->reference, &reference);
+        if (result == LOBE_RENDER_OK) result = lobe_film_compare(film, reference, &difference);
+        lobe_film_free(reference);
+    }
+    if (result != LOBE_RENDER_OK) return failed(result);
+    print_statistics(v, scene, st, &difference);
+    return LOBE_APP_DONE;
+}
+
+static lobe_app_status render(const render_values *v, const char *source) {
+    lobe_scene *scene = NULL;
+    lobe_film *film = NULL;
+    lobe_render_statistics statistics;
+    lobe_app_catch_interrupt();
+    lobe_render_result result = lobe_scene_load(source, scene_options_of(v), &scene);
+    if (result != LOBE_RENDER_OK) return failed(result);
+    lobe_app_progress progress = lobe_app_begin_progress(v->progress, source, "samples");
+    result = lobe_render(scene, render_options(v, &progress), &film, &statistics);
+    lobe_app_end_progress(&progress);
+    lobe_app_status status;
+    if (film)
+        status = finish_picture(v, source, film, &statistics);
+    else
+        status = failed(result);
+    if (status == LOBE_APP_DONE && result == LOBE_RENDER_INTERRUPTED) status = LOBE_APP_INTERRUPTED;
+    lobe_film_free(film);
+    lobe_scene_free(scene);
+    return status;
+}
+
+static lobe_app_status check(const render_values *v, const lobe_app_arguments *arguments) {
+    if (!arguments->operand)
+        return lobe_app_reject("render", "give a file or a name of --list-scenes", "no scene");
+    if (!v->out && !v->reference && !v->json)
+        return lobe_app_reject("-o", "give a file name, as -o picture.png", "no picture to write");
+    if (v->out && !lobe_film_can_write(v->out))
+        return lobe_app_reject(v->out, "end the name with .exr, .png, .hdr or .pfm",
+                               "unknown picture format");
+    if (v->spp > LOBE_RENDER_SAMPLES_MAX)
+        return lobe_app_reject("--spp", "use 1 to 16777216", "too many samples");
+    if (v->depth > 1000000) return lobe_app_reject("--depth", "use 0 to 1000000", "too deep");
+    if (v->threads > 1024) return lobe_app_reject("--threads", "use 1 to 1024", "too many threads");
+    if (v->time_limit < 0) return lobe_app_reject("--time", "give seconds", "a negative time");
+    return LOBE_APP_DONE;
+}
+
+lobe_app_status lobe_app_render(int argc, char **argv) {
+    render_values values = default_values();
+    const lobe_app_group groups[] = {{"Picture", picture_options, &values},
+                                     {"Scene", scene_options, &values},
+                                     {"Method", method_options, &values},
+                                     {"Output", output_options, &values},
+                                     {0}};
+    const lobe_app_command command = {
+        "render", "SCENE -o FILE [OPTIONS]",
+        "Path-traces a scene: a file (glTF 2.0, OBJ, what else the importer reads) or a built-in one.\n"
+        "Ctrl-C saves what is finished. The same seed gives the same picture on any number of threads.",
+        "SCENE", groups, "lobe render gallery -o gallery.png --spp 64"};
+    lobe_app_arguments arguments;
+    lobe_app_status status = lobe_app_parse(&command, argc, argv, &arguments);
+    if (status || arguments.is_answered) return status;
+    if (values.list_scenes) return list_scenes();
+    if ((status = check(&values, &arguments))) return status;
+    return render(&values, arguments.operand);
+}

@@ -1,0 +1,169 @@
+/* OpenEXR pictures: scan lines by the C core, in full float; tiles and what the core cannot decode
+ * (DWAA, DWAB) by the RGBA interface, in half. */
+#include "image.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include <OpenEXR/ImfCRgbaFile.h>
+#include <OpenEXR/openexr.h>
+
+#include "message.h"
+
+static void silent(exr_const_context_t context, exr_result_t code, const char *message)
+{
+    (void)context, (void)code, (void)message;
+}
+
+/* Component (0 to 2) of a channel's name, 3 for luminance alone, -1 for any other. */
+static int component_of(const char *name)
+{
+    static const char *const names[] = {"R", "G", "B", "Y"};
+    for (int i = 0; i < 4; i++)
+        if (strcmp(name, names[i]) == 0)
+            return i;
+    return -1;
+}
+
+/* Let the decoder write the chunk's channels straight into the picture. */
+static void aim_channels(exr_decode_pipeline_t *pipe, vec3 *row, int width, int *is_luminance)
+{
+    for (int i = 0; i < pipe->channel_count; i++) {
+        exr_coding_channel_info_t *channel = &pipe->channels[i];
+        int component = component_of(channel->channel_name);
+        if (component < 0)
+            continue;
+        *is_luminance = component == 3;
+        channel->decode_to_ptr = (uint8_t *)row + (component % 3) * (int)sizeof(float);
+        channel->user_pixel_stride = (int32_t)sizeof(vec3);
+        channel->user_line_stride = (int32_t)sizeof(vec3) * width;
+        channel->user_bytes_per_element = (int16_t)sizeof(float);
+        channel->user_data_type = EXR_PIXEL_FLOAT;
+    }
+}
+
+static exr_result_t decode_lines(exr_context_t file, exr_attr_box2i_t window, image *picture)
+{
+    int32_t step = 1;
+    int is_luminance = 0;
+    exr_decode_pipeline_t pipe = EXR_DECODE_PIPELINE_INITIALIZER;
+    exr_result_t status = exr_get_scanlines_per_chunk(file, 0, &step);
+    for (int y = 0; y < picture->height && status == EXR_ERR_SUCCESS; y += step) {
+        exr_chunk_info_t chunk;
+        status = exr_read_scanline_chunk_info(file, 0, window.min.y + y, &chunk);
+        if (status == EXR_ERR_SUCCESS)
+            status = y == 0 ? exr_decoding_initialize(file, 0, &chunk, &pipe)
+                            : exr_decoding_update(file, 0, &chunk, &pipe);
+        if (status != EXR_ERR_SUCCESS)
+            break;
+        aim_channels(&pipe, picture->pixels + (size_t)y * (size_t)picture->width, picture->width,
+                     &is_luminance);
+        if (y == 0)
+            status = exr_decoding_choose_default_routines(file, 0, &pipe);
+        if (status == EXR_ERR_SUCCESS)
+            status = exr_decoding_run(file, 0, &pipe);
+    }
+    exr_decoding_destroy(file, &pipe);
+    if (is_luminance)
+        for (size_t i = 0; i < (size_t)picture->width * (size_t)picture->height; i++)
+            picture->pixels[i] = v3_all(picture->pixels[i].x);
+    return status;
+}
+
+/* What the core decodes without help: scan lines, R G B or Y in full resolution, no DWA. */
+static int core_can_read(exr_context_t file)
+{
+    exr_storage_t storage;
+    exr_compression_t compression;
+    const exr_attr_chlist_t *channels;
+    if (exr_get_storage(file, 0, &storage) != EXR_ERR_SUCCESS || storage != EXR_STORAGE_SCANLINE ||
+        exr_get_compression(file, 0, &compression) != EXR_ERR_SUCCESS ||
+        compression == EXR_COMPRESSION_DWAA || compression == EXR_COMPRESSION_DWAB ||
+        exr_get_channels(file, 0, &channels) != EXR_ERR_SUCCESS)
+        return 0;
+    unsigned found = 0;
+    for (int i = 0; i < channels->num_channels; i++) {
+        const exr_attr_chlist_entry_t *entry = &channels->entries[i];
+        int component = component_of(entry->name.str);
+        if (component >= 0 && (entry->x_sampling != 1 || entry->y_sampling != 1))
+            return 0;
+        if (component >= 0)
+            found |= 1u << component;
+    }
+    return found == 7u || found == 8u;
+}
+
+static lobe_render_result create_checked(const char *path, image *picture, int64_t width,
+                                         int64_t height)
+{
+    if (width < 1 || height < 1 || width > LOBE_RENDER_SIZE_MAX || height > LOBE_RENDER_SIZE_MAX ||
+        (size_t)width * (size_t)height > LOBE_IMAGE_PIXELS_MAX)
+        return lobe_fail(LOBE_RENDER_BAD_INPUT, "%s: unusable size %lld x %lld; scale it down", path,
+                         (long long)width, (long long)height);
+    if (!lobe_image_create(picture, (int)width, (int)height))
+        return lobe_fail_memory(path);
+    return LOBE_RENDER_OK;
+}
+
+static void copy_half_line(vec3 *row, const ImfRgba *line, int width)
+{
+    for (int x = 0; x < width; x++) {
+        row[x] = v3(ImfHalfToFloat(line[x].r), ImfHalfToFloat(line[x].g), ImfHalfToFloat(line[x].b));
+        /* A float that half cannot hold arrived as infinity: take half's greatest. */
+        row[x] = v3(fminf(row[x].x, 65504.0f), fminf(row[x].y, 65504.0f), fminf(row[x].z, 65504.0f));
+    }
+}
+
+static lobe_render_result read_rgba(const char *path, image *picture)
+{
+    ImfInputFile *file = ImfOpenInputFile(path);
+    if (!file)
+        return lobe_fail(LOBE_RENDER_BAD_INPUT, "%s: not an OpenEXR picture that can be read (%s)",
+                         path, ImfErrorMessage());
+    int x0, y0, x1, y1;
+    ImfHeaderDataWindow(ImfInputHeader(file), &x0, &y0, &x1, &y1);
+    int64_t width = (int64_t)x1 - x0 + 1, height = (int64_t)y1 - y0 + 1;
+    lobe_render_result result = create_checked(path, picture, width, height);
+    ImfRgba *line = result == LOBE_RENDER_OK ? calloc((size_t)width, sizeof *line) : NULL;
+    if (result == LOBE_RENDER_OK && !line)
+        result = lobe_fail_memory(path);
+    for (int y = y0; y <= y1 && result == LOBE_RENDER_OK; y++) {
+        /* The library indexes its base pointer by absolute coordinates. */
+        ImfRgba *base = (ImfRgba *)((uintptr_t)line - (uintptr_t)((intptr_t)x0 * (intptr_t)sizeof *line));
+        if (!ImfInputSetFrameBuffer(file, base, 1, 0) || !ImfInputReadPixels(file, y, y))
+            result = lobe_fail(LOBE_RENDER_BAD_INPUT, "%s: cannot be decoded (%s); is it complete?",
+                               path, ImfErrorMessage());
+        else
+            copy_half_line(picture->pixels + (size_t)(y - y0) * (size_t)width, line, (int)width);
+    }
+    free(line);
+    ImfCloseInputFile(file);
+    return result;
+}
+
+lobe_render_result lobe_image_read_exr(const char *path, image *picture)
+{
+    exr_context_t file = NULL;
+    exr_context_initializer_t settings = EXR_DEFAULT_CONTEXT_INITIALIZER;
+    settings.error_handler_fn = silent;
+    exr_result_t status = exr_start_read(&file, path, &settings);
+    if (status != EXR_ERR_SUCCESS)
+        return lobe_fail(LOBE_RENDER_BAD_INPUT, "%s: not an OpenEXR picture that can be read (%s)",
+                         path, exr_get_default_error_message(status));
+    exr_attr_box2i_t window;
+    if (!core_can_read(file) || exr_get_data_window(file, 0, &window) != EXR_ERR_SUCCESS) {
+        exr_finish(&file);
+        return read_rgba(path, picture);
+    }
+    lobe_render_result result =
+        create_checked(path, picture, (int64_t)window.max.x - window.min.x + 1,
+                       (int64_t)window.max.y - window.min.y + 1);
+    if (result == LOBE_RENDER_OK) {
+        status = decode_lines(file, window, picture);
+        if (status != EXR_ERR_SUCCESS)
+            result = lobe_fail(LOBE_RENDER_BAD_INPUT, "%s: cannot be decoded (%s); is it complete?",
+                               path, exr_get_default_error_message(status));
+    }
+    exr_finish(&file);
+    return result;
+}

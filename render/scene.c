@@ -1,0 +1,267 @@
+#include "scene.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Room for one more element of a growing array; 0: no memory. */
+static int grow(void **array, uint32_t count, uint32_t *room, size_t size) {
+    if (count < *room) return 1;
+    if (*room > UINT32_MAX / 2) return 0;
+    uint32_t larger = *room ? 2 * *room : 64;
+    void *moved = realloc(*array, larger * size);
+    if (!moved) return 0;
+    *array = moved;
+    *room = larger;
+    return 1;
+}
+
+/* Append `item` and give its index; 0 and a note where memory is short. */
+#define APPEND(scene, array, noun, item)                                                           \
+    do {                                                                                           \
+        if (!grow((void **)&(scene)->array, (scene)->noun##_count, &(scene)->noun##_room,          \
+                  sizeof *(scene)->array)) {                                                       \
+            (scene)->out_of_memory = 1;                                                            \
+            return 0;                                                                              \
+        }                                                                                          \
+        (scene)->array[(scene)->noun##_count] = (item);                                            \
+        return (scene)->noun##_count++;                                                            \
+    } while (0)
+
+uint32_t lobe_scene_add_material(lobe_scene *s, material m) {
+    APPEND(s, materials, material, m);
+}
+
+uint32_t lobe_scene_add_vertex(lobe_scene *s, vertex v) {
+    APPEND(s, vertices, vertex, v);
+}
+
+static uint32_t append_triangle(lobe_scene *s, triangle t) {
+    APPEND(s, triangles, triangle, t);
+}
+
+static uint32_t append_texture(lobe_scene *s, texture t) {
+    APPEND(s, textures, texture, t);
+}
+
+static uint32_t append_camera(lobe_scene *s, camera c) {
+    APPEND(s, cameras, camera, c);
+}
+
+int lobe_scene_add_texture(lobe_scene *s, texture t) {
+    return (int)append_texture(s, t);
+}
+
+void lobe_scene_add_camera(lobe_scene *s, const char *name, vec3 position, vec3 target,
+                           float vertical_degrees) {
+    camera c = {.position = position, .target = target, .up = {0.0f, 1.0f, 0.0f},
+                .vertical_degrees = vertical_degrees};
+    snprintf(c.name, sizeof c.name, "%s", name);
+    append_camera(s, c);
+}
+
+static float area_of(vec3 a, vec3 b, vec3 c) {
+    return 0.5f * v3_length(v3_cross(v3_sub(b, a), v3_sub(c, a)));
+}
+
+/* A triangle that has no area or is not finite would poison the tree: dropped and counted. */
+void lobe_scene_add_triangle(lobe_scene *s, uint32_t a, uint32_t b, uint32_t c, uint32_t material) {
+    uint32_t n = s->vertex_count;
+    int usable = a < n && b < n && c < n;
+    if (usable) {
+        float area = area_of(s->vertices[a].position, s->vertices[b].position,
+                             s->vertices[c].position);
+        usable = isfinite(area) && area > 0.0f;
+    }
+    if (usable)
+        append_triangle(s, (triangle){{a, b, c}, material, -1});
+    else
+        s->info.dropped_triangles++;
+}
+
+material lobe_default_material(void) {
+    return (material){.base_color = {0.8f, 0.8f, 0.8f}, .roughness = 0.5f,
+                      .base_texture = NO_TEXTURE, .normal_texture = NO_TEXTURE,
+                      .surface_texture = NO_TEXTURE, .emission_texture = NO_TEXTURE,
+                      .normal_scale = 1.0f};
+}
+
+lobe_scene_options lobe_scene_default_options(void) {
+    return (lobe_scene_options){.default_base_color = {0.8f, 0.8f, 0.8f}, .default_roughness = 0.5f};
+}
+
+void lobe_scene_free(lobe_scene *s) {
+    if (!s) return;
+    lobe_tracer_free(s->tracer);
+    for (uint32_t i = 0; i < s->texture_count; i++) lobe_texture_free(&s->textures[i]);
+    if (s->has_sky) lobe_environment_free(&s->sky);
+    lobe_alias_free(&s->light_table);
+    free(s->vertices);
+    free(s->triangles);
+    free(s->materials);
+    free(s->textures);
+    free(s->cameras);
+    free(s->lights);
+    free(s->light_areas);
+    free(s);
+}
+
+/* Lamps are chosen by power; the colour of an emission texture is left to the paths that meet it. */
+static int collect_lights(lobe_scene *s) {
+    s->lights = malloc((s->triangle_count + 1) * sizeof *s->lights);
+    s->light_areas = malloc((s->triangle_count + 1) * sizeof *s->light_areas);
+    double *powers = malloc((s->triangle_count + 1) * sizeof *powers);
+    int ok = s->lights && s->light_areas && powers;
+    for (uint32_t i = 0; ok && i < s->triangle_count; i++) {
+        triangle *t = &s->triangles[i];
+        const material *m = &s->materials[t->material];
+        if (!(v3_max(m->emission) > 0.0f) || m->emission_texture != NO_TEXTURE) continue;
+        float area = area_of(s->vertices[t->vertex[0]].position, s->vertices[t->vertex[1]].position,
+                             s->vertices[t->vertex[2]].position);
+        t->light = (int32_t)s->light_count;
+        s->lights[s->light_count] = i;
+        s->light_areas[s->light_count] = area;
+        powers[s->light_count++] = (double)(area * v3_luminance(m->emission));
+    }
+    ok = ok && lobe_alias_create(&s->light_table, powers, s->light_count);
+    free(powers);
+    return ok;
+}
+
+static void find_bounds(lobe_scene *s) {
+    s->low = v3_all(INFINITY);
+    s->high = v3_all(-INFINITY);
+    for (uint32_t i = 0; i < s->triangle_count; i++)
+        for (int k = 0; k < 3; k++) {
+            vec3 p = s->vertices[s->triangles[i].vertex[k]].position;
+            s->low = v3(fminf(s->low.x, p.x), fminf(s->low.y, p.y), fminf(s->low.z, p.z));
+            s->high = v3(fmaxf(s->high.x, p.x), fmaxf(s->high.y, p.y), fmaxf(s->high.z, p.z));
+        }
+}
+
+/* Looks at the whole scene from the front, a little from above. */
+static void frame_automatically(lobe_scene *s) {
+    vec3 centre = v3_lerp(s->low, s->high, 0.5f);
+    float radius = fmaxf(0.5f * v3_length(v3_sub(s->high, s->low)), 1e-6f);
+    vec3 from = v3_normalize_or(v3(0.45f, 0.35f, 1.0f), v3(0.0f, 0.0f, 1.0f));
+    lobe_scene_add_camera(s, "", v3_add(centre, v3_scale(from, 2.6f * radius)), centre, 38.0f);
+}
+
+static void add_ground(lobe_scene *s) {
+    float size = 20.0f * fmaxf(v3_length(v3_sub(s->high, s->low)), 1e-6f), y = s->low.y;
+    material grey = lobe_default_material();
+    grey.base_color = v3_all(0.4f);
+    grey.roughness = 0.9f;
+    uint32_t m = lobe_scene_add_material(s, grey), first = s->vertex_count;
+    for (int k = 0; k < 4; k++) {
+        vec3 place = {k == 1 || k == 2 ? size : -size, y, k < 2 ? size : -size};
+        lobe_scene_add_vertex(s, (vertex){.position = place, .normal = {0.0f, 1.0f, 0.0f},
+                                          .handedness = 1.0f});
+    }
+    lobe_scene_add_triangle(s, first, first + 1, first + 2, m);
+    lobe_scene_add_triangle(s, first, first + 2, first + 3, m);
+}
+
+/* The panorama of the options, or a sky for a scene that brings no light at all. */
+static lobe_render_result light_the_scene(lobe_scene *s, const lobe_scene_options *options) {
+    image picture;
+    if (options->environment) {
+        size_t repaired = 0;
+        lobe_render_result result = lobe_image_read(options->environment, &picture, &repaired);
+        if (result != LOBE_RENDER_OK) return result;
+        if (repaired)
+            lobe_warn(&s->warnings, "%s: %zu values below 0 or not finite; they count as 0",
+                      options->environment, repaired);
+        if (s->has_sky) lobe_environment_free(&s->sky);
+    } else if (s->has_sky || s->light_count) {
+        return LOBE_RENDER_OK;
+    } else if (!lobe_environment_sky(&picture)) {
+        return lobe_fail_memory(s->name);
+    }
+    s->has_sky = 1;
+    if (!lobe_environment_create(&s->sky, picture, options->environment_rotation))
+        return lobe_fail_memory(s->name);
+    return LOBE_RENDER_OK;
+}
+
+static void fill_info(lobe_scene *s) {
+    s->info.triangles = s->triangle_count;
+    s->info.emissive_triangles = s->light_count;
+    s->info.vertices = s->vertex_count;
+    s->info.materials = s->material_count;
+    s->info.textures = s->texture_count;
+    s->info.warnings = s->warnings.count;
+    s->info.bytes = s->vertex_count * sizeof *s->vertices + s->triangle_count * sizeof *s->triangles;
+    for (uint32_t i = 0; i < s->texture_count; i++)
+        s->info.bytes += 3u * (uint64_t)s->textures[i].width * (uint64_t)s->textures[i].height;
+}
+
+/* From triangles and materials to something that can be rendered. */
+static lobe_render_result finish(lobe_scene *s, const lobe_scene_options *options, int is_file) {
+    if (s->out_of_memory) return lobe_fail_memory(s->name);
+    if (s->triangle_count == 0)
+        return lobe_fail(LOBE_RENDER_BAD_INPUT,
+                         "%s: no triangle that can be seen; is it the right file?", s->name);
+    find_bounds(s);
+    s->info.cameras = is_file ? s->camera_count : 0;
+    if (s->camera_count == 0) frame_automatically(s);
+    if (options->ground && is_file) add_ground(s);
+    if (!collect_lights(s)) return lobe_fail_memory(s->name);
+    lobe_render_result result = light_the_scene(s, options);
+    if (result != LOBE_RENDER_OK) return result;
+    s->tracer = lobe_tracer_create(s->vertices, s->vertex_count, sizeof *s->vertices, s->triangles,
+                                   s->triangle_count, sizeof *s->triangles);
+    if (!s->tracer || s->out_of_memory) return lobe_fail_memory(s->name);
+    lobe_coat_table(s->coat_albedo);
+    if (s->warnings.failed) return LOBE_RENDER_BAD_INPUT;
+    fill_info(s);
+    return LOBE_RENDER_OK;
+}
+
+static int is_unit(float x) {
+    return x >= 0.0f && x <= 1.0f;
+}
+
+static lobe_render_result check_options(const lobe_scene_options *o) {
+    const float *c = o->default_base_color;
+    if (!is_unit(c[0]) || !is_unit(c[1]) || !is_unit(c[2]) || !is_unit(o->default_metallic) ||
+        !is_unit(o->default_roughness))
+        return lobe_fail(LOBE_RENDER_BAD_INPUT,
+                         "default material: a value is out of range; use 0 to 1");
+    if (!isfinite(o->environment_rotation))
+        return lobe_fail(LOBE_RENDER_BAD_INPUT, "environment rotation: not a number; use degrees");
+    return LOBE_RENDER_OK;
+}
+
+static int file_exists(const char *path) {
+    FILE *file = fopen(path, "rb");
+    if (file) fclose(file);
+    return file != NULL;
+}
+
+lobe_render_result lobe_scene_load(const char *source, lobe_scene_options options,
+                                   lobe_scene **scene) {
+    *scene = NULL;
+    lobe_render_result result = check_options(&options);
+    if (result != LOBE_RENDER_OK) return result;
+    lobe_scene *s = calloc(1, sizeof *s);
+    if (!s) return lobe_fail_memory(source);
+    s->warnings = (warnings){options.warning, options.warning_user, options.strict, 0, 0};
+    snprintf(s->name, sizeof s->name, "%s", source);
+    int is_file = file_exists(source) || !lobe_scene_build(s, source);
+    if (is_file) result = lobe_scene_import(s, source, &options);
+    if (result == LOBE_RENDER_OK) result = finish(s, &options, is_file);
+    if (result == LOBE_RENDER_OK)
+        *scene = s;
+    else
+        lobe_scene_free(s);
+    return result;
+}
+
+lobe_scene_info lobe_scene_get_info(const lobe_scene *scene) {
+    return scene->info;
+}
+
+const char *lobe_scene_camera_name(const lobe_scene *scene, size_t index) {
+    return index < scene->info.cameras ? scene->cameras[index].name : NULL;
+}

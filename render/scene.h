@@ -1,0 +1,79 @@
+/* The scene: triangles, materials, textures, lights and cameras, and how to put them together. */
+#ifndef LOBE_RENDER_SCENE_H
+#define LOBE_RENDER_SCENE_H
+
+#include "environment.h"
+#include "material.h"
+#include "lobe/render.h"
+#include "message.h"
+#include "texture.h"
+#include "trace.h"
+
+enum { NO_TEXTURE = -1 };
+
+/* glTF 2.0 metallic-roughness; factors multiply the textures. */
+typedef struct material {
+    vec3 base_color;
+    vec3 emission;
+    float metallic;
+    float roughness;  /* perceptual */
+    float anisotropy; /* -1 to 1: alpha_x/alpha_y = (1 + a)/(1 - a) */
+    int base_texture, normal_texture, surface_texture, emission_texture;
+    float normal_scale;
+} material;
+
+typedef struct vertex {
+    vec3 position, normal, tangent; /* tangent: 0 where there is none */
+    float u, v, handedness;
+} vertex;
+
+typedef struct triangle {
+    uint32_t vertex[3];
+    uint32_t material;
+    int32_t light; /* its number among the emissive triangles, or -1 */
+} triangle;
+
+typedef struct camera {
+    char name[64];
+    vec3 position, target, up;
+    float vertical_degrees;
+} camera;
+
+struct lobe_scene {
+    char name[256];
+    vertex *vertices;
+    triangle *triangles;
+    material *materials;
+    texture *textures;
+    camera *cameras;
+    uint32_t vertex_count, triangle_count, material_count, texture_count, camera_count;
+    uint32_t vertex_room, triangle_room, material_room, texture_room, camera_room;
+    int out_of_memory;
+    uint32_t *lights; /* emissive triangles */
+    float *light_areas;
+    uint32_t light_count;
+    alias_table light_table;
+    environment sky;
+    int has_sky;
+    tracer *tracer;
+    vec3 low, high; /* bounds */
+    float coat_albedo[COAT_ROWS][COAT_COLUMNS]; /* see material.h */
+    lobe_scene_info info;
+    warnings warnings;
+};
+
+/* Building. Indices are those of the scene; failures of memory are kept in out_of_memory. */
+uint32_t lobe_scene_add_material(lobe_scene *s, material m);
+uint32_t lobe_scene_add_vertex(lobe_scene *s, vertex v);
+void lobe_scene_add_triangle(lobe_scene *s, uint32_t a, uint32_t b, uint32_t c, uint32_t material);
+int lobe_scene_add_texture(lobe_scene *s, texture t);
+void lobe_scene_add_camera(lobe_scene *s, const char *name, vec3 position, vec3 target,
+                           float vertical_degrees);
+material lobe_default_material(void);
+
+/* One file a way in: a built-in (0: there is none of this name) or a file. */
+int lobe_scene_build(lobe_scene *s, const char *name);
+lobe_render_result lobe_scene_import(lobe_scene *s, const char *path,
+                                     const lobe_scene_options *options);
+
+#endif
