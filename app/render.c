@@ -71,38 +71,44 @@ static bool read_material(const lobe_app_option *option, const char *text, void 
 #define AT(member) offsetof(render_values, member)
 
 static const lobe_app_option picture_options[] = {
-    {"-o", "FILE", NULL, "the picture: .exr, .png, .hdr or .pfm", lobe_app_read_name, AT(out), NULL},
+    {"-o", "FILE", NULL, "the picture: .exr, .png, .hdr or .pfm", lobe_app_read_name, AT(out),
+     NULL},
     {"--size", "WxH", "960x540", "in pixels", read_size, AT(size), NULL},
     {"--spp", "N", "64", "camera paths a pixel", lobe_app_read_count, AT(spp), NULL},
     {"--time", "S", "none", "seconds after which to stop with what is finished", lobe_app_read_f64,
      AT(time_limit), NULL},
     {"--depth", "N", "8", "greatest number of surface scatterings on a path", lobe_app_read_u64,
      AT(depth), NULL},
-    {"--seed", "S", "0", "of the random numbers, any whole number", lobe_app_read_u64, AT(seed), NULL},
+    {"--seed", "S", "0", "of the random numbers, any whole number", lobe_app_read_u64, AT(seed),
+     NULL},
     {"--threads", "N", "one a processor", "the picture does not depend on it", lobe_app_read_count,
      AT(threads), NULL},
-    {"--exposure", "EV", "0", "stops, for the written picture", lobe_app_read_f64, AT(exposure), NULL},
+    {"--exposure", "EV", "0", "stops, for the written picture", lobe_app_read_f64, AT(exposure),
+     NULL},
     {"--aov", "LIST", "none", "more channels for .exr: albedo,normal,depth,rejected", read_aovs,
      AT(aovs), NULL},
     {"--camera", "NAME", "the first", "a camera of the file", lobe_app_read_name, AT(camera), NULL},
     {0}};
 
 static const lobe_app_option scene_options[] = {
-    {"--env", "FILE", "the scene's own light, or a sky", "panorama to light with", lobe_app_read_name,
-     AT(environment), NULL},
+    {"--env", "FILE", "the scene's own light, or a sky", "panorama to light with",
+     lobe_app_read_name, AT(environment), NULL},
     {"--env-rotate", "DEG", "0", "degrees about +Y", lobe_app_read_f64, AT(rotation), NULL},
     {"--material", "R,G,B,M,R", "0.8,0.8,0.8,0,0.5",
      "colour, metallic and roughness of meshes that bring no material", read_material, AT(material),
      NULL},
-    {"--ground", NULL, NULL, "put a large matte floor below a file's scene", NULL, AT(ground), NULL},
+    {"--ground", NULL, NULL, "put a large matte floor below a file's scene", NULL, AT(ground),
+     NULL},
     {"--strict", NULL, NULL, "a warning is an error", NULL, AT(strict), NULL},
-    {"--list-scenes", NULL, NULL, "print the built-in scenes and stop", NULL, AT(list_scenes), NULL},
+    {"--list-scenes", NULL, NULL, "print the built-in scenes and stop", NULL, AT(list_scenes),
+     NULL},
     {0}};
 
 static const lobe_app_option method_options[] = {
     {"--method", "NAME", "optimal", "how to sample reflection", lobe_app_read_choice, AT(method),
      lobe_app_methods},
-    {"--g2", "NAME", "correlated", "masking and shadowing", lobe_app_read_choice, AT(g2), lobe_app_g2s},
+    {"--g2", "NAME", "correlated", "masking and shadowing", lobe_app_read_choice, AT(g2),
+     lobe_app_g2s},
     {"--normalization", "NAME", "unbiased", "of the densities behind a shading normal",
      lobe_app_read_choice, AT(normalization), lobe_app_normalizations},
     {"--heuristic", "NAME", "power", "how light and surface samples are combined",
@@ -118,9 +124,12 @@ static const lobe_app_option output_options[] = {
 
 static render_values default_values(void) {
     const lobe_render_options r = lobe_render_default_options();
-    return (render_values){.spp = r.samples, .depth = (uint64_t)r.depth,
-                           .size = {r.width, r.height}, .method = (int)r.ggx.method,
-                           .heuristic = (int)r.heuristic, .material = {0.8, 0.8, 0.8, 0, 0.5}};
+    return (render_values){.spp = r.samples,
+                           .depth = (uint64_t)r.depth,
+                           .size = {r.width, r.height},
+                           .method = (int)r.ggx.method,
+                           .heuristic = (int)r.heuristic,
+                           .material = {0.8, 0.8, 0.8, 0, 0.5}};
 }
 
 static lobe_app_status list_scenes(void) {
@@ -185,16 +194,17 @@ static void print_statistics(const render_values *v, const char *scene,
                            d->relative_mse, d->mean, d->mean_reference);
         return;
     }
-    json_t *o = json_pack(
-        "{ss ss sI si sI sI sI sI sf sf sf}", "scene", scene, "method",
-        lobe_method_name((lobe_method)v->method), "samples", (json_int_t)st->samples, "spp",
-        (int)st->pixel_samples, "rays", (json_int_t)st->rays, "draws", (json_int_t)st->ggx_draws,
-        "rejected", (json_int_t)st->ggx_rejected, "dropped", (json_int_t)st->dropped_samples,
-        "rejected_share", st->rejected_share, "seconds", st->seconds, "cpu_seconds", st->cpu_seconds);
+    json_t *o =
+        json_pack("{ss ss sI si sI sI sI sI sf sf sf}", "scene", scene, "method",
+                  lobe_method_name((lobe_method)v->method), "samples", (json_int_t)st->samples,
+                  "spp", (int)st->pixel_samples, "rays", (json_int_t)st->rays, "draws",
+                  (json_int_t)st->ggx_draws, "rejected", (json_int_t)st->ggx_rejected, "dropped",
+                  (json_int_t)st->dropped_samples, "rejected_share", st->rejected_share, "seconds",
+                  st->seconds, "cpu_seconds", st->cpu_seconds);
     if (v->reference)
-        json_object_set_new(o, "error", json_pack("{sf sf sf sf}", "rmse", d->rmse, "relmse",
-                                                  d->relative_mse, "mean", d->mean,
-                                                  "mean_reference", d->mean_reference));
+        json_object_set_new(o, "error",
+                            json_pack("{sf sf sf sf}", "rmse", d->rmse, "relmse", d->relative_mse,
+                                      "mean", d->mean, "mean_reference", d->mean_reference));
     char *text = o ? json_dumps(o, JSON_COMPACT) : NULL;
     if (text) lobe_app_print("%s\n", text);
     free(text);
@@ -263,11 +273,15 @@ lobe_app_status lobe_app_render(int argc, char **argv) {
                                      {"Method", method_options, &values},
                                      {"Output", output_options, &values},
                                      {0}};
-    const lobe_app_command command = {
-        "render", "SCENE -o FILE [OPTIONS]",
-        "Path-traces a scene: a file (glTF 2.0, OBJ, what else the importer reads) or a built-in one.\n"
-        "Ctrl-C saves what is finished. The same seed gives the same picture on any number of threads.",
-        "SCENE", groups, "lobe render gallery -o gallery.png --spp 64"};
+    const lobe_app_command command = {"render",
+                                      "SCENE -o FILE [OPTIONS]",
+                                      "Path-traces a scene: a file (glTF 2.0, OBJ, what else the "
+                                      "importer reads) or a built-in one.\n"
+                                      "Ctrl-C saves what is finished. The same seed gives the same "
+                                      "picture on any number of threads.",
+                                      "SCENE",
+                                      groups,
+                                      "lobe render gallery -o gallery.png --spp 64"};
     lobe_app_arguments arguments;
     lobe_app_status status = lobe_app_parse(&command, argc, argv, &arguments);
     if (status || arguments.is_answered) return status;

@@ -2,8 +2,7 @@
 
 #include <stdlib.h>
 
-static void pair_up(alias_table *table, double *scaled, uint32_t *stack)
-{
+static void pair_up(alias_table *table, double *scaled, uint32_t *stack) {
     uint32_t small = 0, large = table->count;
     for (uint32_t i = 0; i < table->count; i++) {
         if (scaled[i] < 1.0)
@@ -24,14 +23,11 @@ static void pair_up(alias_table *table, double *scaled, uint32_t *stack)
     }
 }
 
-int lobe_alias_create(alias_table *table, const double *weights, uint32_t count)
-{
+int lobe_alias_create(alias_table *table, const double *weights, uint32_t count) {
     *table = (alias_table){NULL, count};
     double sum = 0.0;
-    for (uint32_t i = 0; i < count; i++)
-        sum += weights[i];
-    if (!(sum > 0.0))
-        return 1;
+    for (uint32_t i = 0; i < count; i++) sum += weights[i];
+    if (!(sum > 0.0)) return 1;
     double *scaled = malloc(count * sizeof *scaled);
     uint32_t *stack = malloc(count * sizeof *stack);
     table->cells = malloc(count * sizeof *table->cells);
@@ -50,8 +46,7 @@ int lobe_alias_create(alias_table *table, const double *weights, uint32_t count)
     return ok;
 }
 
-void lobe_alias_free(alias_table *table)
-{
+void lobe_alias_free(alias_table *table) {
     free(table->cells);
     table->cells = NULL;
 }

@@ -20,8 +20,7 @@ int lobe_alias_create(alias_table *table, const double *weights, uint32_t count)
 void lobe_alias_free(alias_table *table);
 
 /* `bits`: 32 random bits for the cell; u in [0, 1) for which of its two indices. */
-static inline uint32_t alias_draw(const alias_table *table, uint32_t bits, float u)
-{
+static inline uint32_t alias_draw(const alias_table *table, uint32_t bits, float u) {
     uint32_t i = (uint32_t)(((uint64_t)bits * table->count) >> 32);
     return u < table->cells[i].keep ? i : table->cells[i].other;
 }

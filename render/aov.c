@@ -12,30 +12,24 @@ static const struct {
 #undef AOV_ROW
 };
 
-static int in_range(lobe_aov aov)
-{
+static int in_range(lobe_aov aov) {
     return (unsigned)aov < LOBE_AOV_COUNT;
 }
 
-lobe_aov lobe_aov_from_name(const char *name)
-{
+lobe_aov lobe_aov_from_name(const char *name) {
     for (int i = 0; i < LOBE_AOV_COUNT; i++)
-        if (strcmp(aovs[i].name, name) == 0)
-            return (lobe_aov)i;
+        if (strcmp(aovs[i].name, name) == 0) return (lobe_aov)i;
     return LOBE_AOV_COUNT;
 }
 
-const char *lobe_aov_name(lobe_aov aov)
-{
+const char *lobe_aov_name(lobe_aov aov) {
     return in_range(aov) ? aovs[aov].name : NULL;
 }
 
-const char *lobe_aov_about(lobe_aov aov)
-{
+const char *lobe_aov_about(lobe_aov aov) {
     return in_range(aov) ? aovs[aov].about : NULL;
 }
 
-int lobe_aov_channels(lobe_aov aov)
-{
+int lobe_aov_channels(lobe_aov aov) {
     return in_range(aov) ? aovs[aov].channels : 0;
 }

@@ -32,13 +32,14 @@ int lobe_environment_constant(image *picture, vec3 radiance) {
 }
 
 static vec3 sky_radiance(vec3 d) {
-    const vec3 zenith = {0.22f, 0.42f, 0.85f}, horizon = {0.85f, 0.92f, 1.0f};
-    const vec3 ground = {0.22f, 0.20f, 0.18f}, sun = {0.45f, 0.62f, 0.64f};
+    const vec3 zenith = {0.09f, 0.19f, 0.42f}, horizon = {0.40f, 0.47f, 0.56f};
+    const vec3 ground = {0.16f, 0.15f, 0.14f}, sun = {0.45f, 0.62f, 0.64f};
     float toward_sun = v3_dot(d, v3_normalize_or(sun, sun));
-    float glow = powf(fmaxf(toward_sun, 0.0f), 60.0f) * 8.0f + (toward_sun > 0.9985f ? 900.0f : 0.0f);
+    float glow =
+        powf(fmaxf(toward_sun, 0.0f), 60.0f) * 1.5f + (toward_sun > 0.9985f ? 200.0f : 0.0f);
     vec3 sky = v3_lerp(horizon, zenith, powf(fmaxf(d.y, 0.0f), 0.45f));
     sky = v3_add(sky, v3_scale(v3(1.0f, 0.9f, 0.72f), glow));
-    return v3_lerp(ground, sky, clampf(d.y * 30.0f + 0.5f, 0.0f, 1.0f));
+    return v3_lerp(ground, sky, clampf(d.y * 150.0f + 0.5f, 0.0f, 1.0f));
 }
 
 /* The direction at the point (x, y) of the picture, in texels. */

@@ -10,29 +10,24 @@
 
 #include "message.h"
 
-static void silent(exr_const_context_t context, exr_result_t code, const char *message)
-{
+static void silent(exr_const_context_t context, exr_result_t code, const char *message) {
     (void)context, (void)code, (void)message;
 }
 
 /* Component (0 to 2) of a channel's name, 3 for luminance alone, -1 for any other. */
-static int component_of(const char *name)
-{
+static int component_of(const char *name) {
     static const char *const names[] = {"R", "G", "B", "Y"};
     for (int i = 0; i < 4; i++)
-        if (strcmp(name, names[i]) == 0)
-            return i;
+        if (strcmp(name, names[i]) == 0) return i;
     return -1;
 }
 
 /* Let the decoder write the chunk's channels straight into the picture. */
-static void aim_channels(exr_decode_pipeline_t *pipe, vec3 *row, int width, int *is_luminance)
-{
+static void aim_channels(exr_decode_pipeline_t *pipe, vec3 *row, int width, int *is_luminance) {
     for (int i = 0; i < pipe->channel_count; i++) {
         exr_coding_channel_info_t *channel = &pipe->channels[i];
         int component = component_of(channel->channel_name);
-        if (component < 0)
-            continue;
+        if (component < 0) continue;
         *is_luminance = component == 3;
         channel->decode_to_ptr = (uint8_t *)row + (component % 3) * (int)sizeof(float);
         channel->user_pixel_stride = (int32_t)sizeof(vec3);
@@ -42,8 +37,7 @@ static void aim_channels(exr_decode_pipeline_t *pipe, vec3 *row, int width, int 
     }
 }
 
-static exr_result_t decode_lines(exr_context_t file, exr_attr_box2i_t window, image *picture)
-{
+static exr_result_t decode_lines(exr_context_t file, exr_attr_box2i_t window, image *picture) {
     int32_t step = 1;
     int is_luminance = 0;
     exr_decode_pipeline_t pipe = EXR_DECODE_PIPELINE_INITIALIZER;
@@ -54,14 +48,11 @@ static exr_result_t decode_lines(exr_context_t file, exr_attr_box2i_t window, im
         if (status == EXR_ERR_SUCCESS)
             status = y == 0 ? exr_decoding_initialize(file, 0, &chunk, &pipe)
                             : exr_decoding_update(file, 0, &chunk, &pipe);
-        if (status != EXR_ERR_SUCCESS)
-            break;
+        if (status != EXR_ERR_SUCCESS) break;
         aim_channels(&pipe, picture->pixels + (size_t)y * (size_t)picture->width, picture->width,
                      &is_luminance);
-        if (y == 0)
-            status = exr_decoding_choose_default_routines(file, 0, &pipe);
-        if (status == EXR_ERR_SUCCESS)
-            status = exr_decoding_run(file, 0, &pipe);
+        if (y == 0) status = exr_decoding_choose_default_routines(file, 0, &pipe);
+        if (status == EXR_ERR_SUCCESS) status = exr_decoding_run(file, 0, &pipe);
     }
     exr_decoding_destroy(file, &pipe);
     if (is_luminance)
@@ -71,8 +62,7 @@ static exr_result_t decode_lines(exr_context_t file, exr_attr_box2i_t window, im
 }
 
 /* What the core decodes without help: scan lines, R G B or Y in full resolution, no DWA. */
-static int core_can_read(exr_context_t file)
-{
+static int core_can_read(exr_context_t file) {
     exr_storage_t storage;
     exr_compression_t compression;
     const exr_attr_chlist_t *channels;
@@ -85,37 +75,33 @@ static int core_can_read(exr_context_t file)
     for (int i = 0; i < channels->num_channels; i++) {
         const exr_attr_chlist_entry_t *entry = &channels->entries[i];
         int component = component_of(entry->name.str);
-        if (component >= 0 && (entry->x_sampling != 1 || entry->y_sampling != 1))
-            return 0;
-        if (component >= 0)
-            found |= 1u << component;
+        if (component >= 0 && (entry->x_sampling != 1 || entry->y_sampling != 1)) return 0;
+        if (component >= 0) found |= 1u << component;
     }
     return found == 7u || found == 8u;
 }
 
 static lobe_render_result create_checked(const char *path, image *picture, int64_t width,
-                                         int64_t height)
-{
+                                         int64_t height) {
     if (width < 1 || height < 1 || width > LOBE_RENDER_SIZE_MAX || height > LOBE_RENDER_SIZE_MAX ||
         (size_t)width * (size_t)height > LOBE_IMAGE_PIXELS_MAX)
-        return lobe_fail(LOBE_RENDER_BAD_INPUT, "%s: unusable size %lld x %lld; scale it down", path,
-                         (long long)width, (long long)height);
-    if (!lobe_image_create(picture, (int)width, (int)height))
-        return lobe_fail_memory(path);
+        return lobe_fail(LOBE_RENDER_BAD_INPUT, "%s: unusable size %lld x %lld; scale it down",
+                         path, (long long)width, (long long)height);
+    if (!lobe_image_create(picture, (int)width, (int)height)) return lobe_fail_memory(path);
     return LOBE_RENDER_OK;
 }
 
-static void copy_half_line(vec3 *row, const ImfRgba *line, int width)
-{
+static void copy_half_line(vec3 *row, const ImfRgba *line, int width) {
     for (int x = 0; x < width; x++) {
-        row[x] = v3(ImfHalfToFloat(line[x].r), ImfHalfToFloat(line[x].g), ImfHalfToFloat(line[x].b));
+        row[x] =
+            v3(ImfHalfToFloat(line[x].r), ImfHalfToFloat(line[x].g), ImfHalfToFloat(line[x].b));
         /* A float that half cannot hold arrived as infinity: take half's greatest. */
-        row[x] = v3(fminf(row[x].x, 65504.0f), fminf(row[x].y, 65504.0f), fminf(row[x].z, 65504.0f));
+        row[x] =
+            v3(fminf(row[x].x, 65504.0f), fminf(row[x].y, 65504.0f), fminf(row[x].z, 65504.0f));
     }
 }
 
-static lobe_render_result read_rgba(const char *path, image *picture)
-{
+static lobe_render_result read_rgba(const char *path, image *picture) {
     ImfInputFile *file = ImfOpenInputFile(path);
     if (!file)
         return lobe_fail(LOBE_RENDER_BAD_INPUT, "%s: not an OpenEXR picture that can be read (%s)",
@@ -125,11 +111,11 @@ static lobe_render_result read_rgba(const char *path, image *picture)
     int64_t width = (int64_t)x1 - x0 + 1, height = (int64_t)y1 - y0 + 1;
     lobe_render_result result = create_checked(path, picture, width, height);
     ImfRgba *line = result == LOBE_RENDER_OK ? calloc((size_t)width, sizeof *line) : NULL;
-    if (result == LOBE_RENDER_OK && !line)
-        result = lobe_fail_memory(path);
+    if (result == LOBE_RENDER_OK && !line) result = lobe_fail_memory(path);
     for (int y = y0; y <= y1 && result == LOBE_RENDER_OK; y++) {
         /* The library indexes its base pointer by absolute coordinates. */
-        ImfRgba *base = (ImfRgba *)((uintptr_t)line - (uintptr_t)((intptr_t)x0 * (intptr_t)sizeof *line));
+        ImfRgba *base =
+            (ImfRgba *)((uintptr_t)line - (uintptr_t)((intptr_t)x0 * (intptr_t)sizeof *line));
         if (!ImfInputSetFrameBuffer(file, base, 1, 0) || !ImfInputReadPixels(file, y, y))
             result = lobe_fail(LOBE_RENDER_BAD_INPUT, "%s: cannot be decoded (%s); is it complete?",
                                path, ImfErrorMessage());
@@ -141,8 +127,7 @@ static lobe_render_result read_rgba(const char *path, image *picture)
     return result;
 }
 
-lobe_render_result lobe_image_read_exr(const char *path, image *picture)
-{
+lobe_render_result lobe_image_read_exr(const char *path, image *picture) {
     exr_context_t file = NULL;
     exr_context_initializer_t settings = EXR_DEFAULT_CONTEXT_INITIALIZER;
     settings.error_handler_fn = silent;

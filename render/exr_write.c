@@ -25,24 +25,20 @@ typedef struct layers {
     int count;
 } layers;
 
-static void silent(exr_const_context_t context, exr_result_t code, const char *message)
-{
+static void silent(exr_const_context_t context, exr_result_t code, const char *message) {
     (void)context, (void)code, (void)message;
 }
 
 static int64_t write_at(exr_const_context_t context, void *user, const void *data, uint64_t size,
-                        uint64_t offset, exr_stream_error_func_ptr_t error)
-{
+                        uint64_t offset, exr_stream_error_func_ptr_t error) {
     (void)context, (void)error;
     output *out = user;
-    if (!out->error && fseeko(out->file, (off_t)offset, SEEK_SET) != 0)
-        out->error = errno;
+    if (!out->error && fseeko(out->file, (off_t)offset, SEEK_SET) != 0) out->error = errno;
     lobe_output_write(out, data, (size_t)size);
     return out->error ? -1 : (int64_t)size;
 }
 
-static void add_layer(layers *l, const char *prefix, const char *components, float *plane)
-{
+static void add_layer(layers *l, const char *prefix, const char *components, float *plane) {
     int count = (int)strlen(components);
     l->planes[l->plane_count++] = plane;
     for (int i = 0; i < count; i++) {
@@ -52,13 +48,11 @@ static void add_layer(layers *l, const char *prefix, const char *components, flo
     }
 }
 
-static int by_name(const void *a, const void *b)
-{
+static int by_name(const void *a, const void *b) {
     return strcmp(((const channel *)a)->name, ((const channel *)b)->name);
 }
 
-static const char *components_of(lobe_aov aov)
-{
+static const char *components_of(lobe_aov aov) {
     static const char *const components[LOBE_AOV_COUNT] = {[LOBE_AOV_ALBEDO] = "RGB",
                                                            [LOBE_AOV_NORMAL] = "XYZ",
                                                            [LOBE_AOV_DEPTH] = "Z",
@@ -67,22 +61,17 @@ static const char *components_of(lobe_aov aov)
 }
 
 /* Planes of all channels, sorted by name as the format demands. 0: no memory. */
-static int gather(const lobe_film *film, float scale, layers *l)
-{
+static int gather(const lobe_film *film, float scale, layers *l) {
     size_t count = (size_t)film->width * (size_t)film->height;
     float *rgb = malloc(count * 3 * sizeof *rgb);
-    if (!rgb)
-        return 0;
+    if (!rgb) return 0;
     lobe_film_copy_rgb(film, rgb);
-    for (size_t i = 0; i < 3 * count; i++)
-        rgb[i] *= scale;
+    for (size_t i = 0; i < 3 * count; i++) rgb[i] *= scale;
     add_layer(l, "", "RGB", rgb);
     for (int aov = 0; aov < LOBE_AOV_COUNT; aov++) {
-        if (!(film->aovs & LOBE_AOV_BIT(aov)))
-            continue;
+        if (!(film->aovs & LOBE_AOV_BIT(aov))) continue;
         float *plane = malloc(count * (size_t)lobe_aov_channels((lobe_aov)aov) * sizeof *plane);
-        if (!plane)
-            return 0;
+        if (!plane) return 0;
         lobe_film_copy_aov(film, (lobe_aov)aov, plane);
         char prefix[24];
         snprintf(prefix, sizeof prefix, "%s.", lobe_aov_name((lobe_aov)aov));
@@ -92,12 +81,10 @@ static int gather(const lobe_film *film, float scale, layers *l)
     return 1;
 }
 
-static void write_metadata(exr_context_t file, const film_metadata *metadata)
-{
+static void write_metadata(exr_context_t file, const film_metadata *metadata) {
     char number[32];
     exr_attr_set_string(file, 0, "software", "lobe " LOBE_VERSION_STRING);
-    if (!metadata->is_rendered)
-        return;
+    if (!metadata->is_rendered) return;
     exr_attr_set_string(file, 0, "lobe.scene", metadata->scene);
     exr_attr_set_string(file, 0, "lobe.method", metadata->method);
     exr_attr_set_string(file, 0, "lobe.version", LOBE_VERSION_STRING);
@@ -108,8 +95,7 @@ static void write_metadata(exr_context_t file, const film_metadata *metadata)
 }
 
 static exr_result_t write_header(exr_context_t file, const lobe_film *film, const layers *l,
-                                 lobe_film_write_options options)
-{
+                                 lobe_film_write_options options) {
     static const exr_compression_t compressions[] = {
         [LOBE_FILM_COMPRESSION_NONE] = EXR_COMPRESSION_NONE,
         [LOBE_FILM_COMPRESSION_RLE] = EXR_COMPRESSION_RLE,
@@ -123,19 +109,18 @@ static exr_result_t write_header(exr_context_t file, const lobe_film *film, cons
                                                      compressions[options.compression]);
     for (int i = 0; i < l->count && status == EXR_ERR_SUCCESS; i++) {
         /* Distances need more than the eleven bits of half. */
-        int is_float = options.pixels == LOBE_FILM_FLOAT || strcmp(l->channels[i].name, "depth.Z") == 0;
+        int is_float =
+            options.pixels == LOBE_FILM_FLOAT || strcmp(l->channels[i].name, "depth.Z") == 0;
         status = exr_add_channel(file, 0, l->channels[i].name,
                                  is_float ? EXR_PIXEL_FLOAT : EXR_PIXEL_HALF,
                                  EXR_PERCEPTUALLY_LOGARITHMIC, 1, 1);
     }
-    if (status != EXR_ERR_SUCCESS)
-        return status;
+    if (status != EXR_ERR_SUCCESS) return status;
     write_metadata(file, &film->metadata);
     return exr_write_header(file);
 }
 
-static void aim_channels(exr_encode_pipeline_t *pipe, const layers *l, size_t first, int width)
-{
+static void aim_channels(exr_encode_pipeline_t *pipe, const layers *l, size_t first, int width) {
     for (int i = 0; i < pipe->channel_count; i++) {
         exr_coding_channel_info_t *info = &pipe->channels[i];
         const channel *source = &l->channels[i];
@@ -147,8 +132,7 @@ static void aim_channels(exr_encode_pipeline_t *pipe, const layers *l, size_t fi
     }
 }
 
-static exr_result_t write_lines(exr_context_t file, const lobe_film *film, const layers *l)
-{
+static exr_result_t write_lines(exr_context_t file, const lobe_film *film, const layers *l) {
     int32_t step = 1;
     exr_encode_pipeline_t pipe = EXR_ENCODE_PIPELINE_INITIALIZER;
     exr_result_t status = exr_get_scanlines_per_chunk(file, 0, &step);
@@ -158,21 +142,17 @@ static exr_result_t write_lines(exr_context_t file, const lobe_film *film, const
         if (status == EXR_ERR_SUCCESS)
             status = y == 0 ? exr_encoding_initialize(file, 0, &chunk, &pipe)
                             : exr_encoding_update(file, 0, &chunk, &pipe);
-        if (status != EXR_ERR_SUCCESS)
-            break;
+        if (status != EXR_ERR_SUCCESS) break;
         aim_channels(&pipe, l, (size_t)y * (size_t)film->width, film->width);
-        if (y == 0)
-            status = exr_encoding_choose_default_routines(file, 0, &pipe);
-        if (status == EXR_ERR_SUCCESS)
-            status = exr_encoding_run(file, 0, &pipe);
+        if (y == 0) status = exr_encoding_choose_default_routines(file, 0, &pipe);
+        if (status == EXR_ERR_SUCCESS) status = exr_encoding_run(file, 0, &pipe);
     }
     exr_encoding_destroy(file, &pipe);
     return status;
 }
 
 lobe_render_result lobe_film_write_exr(const lobe_film *film, output *out, float scale,
-                                       lobe_film_write_options options)
-{
+                                       lobe_film_write_options options) {
     layers l = {0};
     lobe_render_result result = LOBE_RENDER_OK;
     exr_context_t file = NULL;
@@ -184,18 +164,14 @@ lobe_render_result lobe_film_write_exr(const lobe_film *film, output *out, float
         result = lobe_fail_memory(out->path);
     } else {
         exr_result_t status = exr_start_write(&file, out->path, EXR_WRITE_FILE_DIRECTLY, &settings);
-        if (status == EXR_ERR_SUCCESS)
-            status = write_header(file, film, &l, options);
-        if (status == EXR_ERR_SUCCESS)
-            status = write_lines(file, film, &l);
+        if (status == EXR_ERR_SUCCESS) status = write_header(file, film, &l, options);
+        if (status == EXR_ERR_SUCCESS) status = write_lines(file, film, &l);
         exr_result_t finished = file ? exr_finish(&file) : EXR_ERR_SUCCESS;
-        if (status == EXR_ERR_SUCCESS)
-            status = finished;
+        if (status == EXR_ERR_SUCCESS) status = finished;
         if (status != EXR_ERR_SUCCESS)
             result = lobe_fail(LOBE_RENDER_FAILED, "%s: cannot be encoded (%s)", out->path,
                                exr_get_default_error_message(status));
     }
-    for (int i = 0; i < l.plane_count; i++)
-        free(l.planes[i]);
+    for (int i = 0; i < l.plane_count; i++) free(l.planes[i]);
     return result;
 }

@@ -10,12 +10,10 @@
 static const uint32_t first_hit_aovs =
     LOBE_AOV_BIT(LOBE_AOV_ALBEDO) | LOBE_AOV_BIT(LOBE_AOV_NORMAL) | LOBE_AOV_BIT(LOBE_AOV_DEPTH);
 
-lobe_film *lobe_film_create(int width, int height, uint32_t aovs)
-{
+lobe_film *lobe_film_create(int width, int height, uint32_t aovs) {
     size_t count = (size_t)width * (size_t)height;
     lobe_film *film = calloc(1, sizeof *film);
-    if (!film)
-        return NULL;
+    if (!film) return NULL;
     *film = (lobe_film){.width = width, .height = height, .aovs = aovs};
     film->pixels = calloc(count, sizeof *film->pixels);
     if (aovs & first_hit_aovs)
@@ -27,27 +25,22 @@ lobe_film *lobe_film_create(int width, int height, uint32_t aovs)
     return film;
 }
 
-void lobe_film_free(lobe_film *film)
-{
-    if (!film)
-        return;
+void lobe_film_free(lobe_film *film) {
+    if (!film) return;
     free(film->pixels);
     free(film->first_hit);
     free(film);
 }
 
-int lobe_film_width(const lobe_film *film)
-{
+int lobe_film_width(const lobe_film *film) {
     return film->width;
 }
 
-int lobe_film_height(const lobe_film *film)
-{
+int lobe_film_height(const lobe_film *film) {
     return film->height;
 }
 
-void lobe_film_add(lobe_film *film, size_t index, const film_sample *sample)
-{
+void lobe_film_add(lobe_film *film, size_t index, const film_sample *sample) {
     film_pixel *pixel = &film->pixels[index];
     pixel->draws += sample->draws;
     pixel->rejected += sample->rejected;
@@ -68,17 +61,14 @@ void lobe_film_add(lobe_film *film, size_t index, const film_sample *sample)
     }
 }
 
-vec3 lobe_film_mean(const lobe_film *film, size_t index)
-{
+vec3 lobe_film_mean(const lobe_film *film, size_t index) {
     const film_pixel *pixel = &film->pixels[index];
-    if (pixel->samples == 0)
-        return v3_all(0.0f);
+    if (pixel->samples == 0) return v3_all(0.0f);
     return v3((float)(pixel->rgb[0] / pixel->samples), (float)(pixel->rgb[1] / pixel->samples),
               (float)(pixel->rgb[2] / pixel->samples));
 }
 
-int lobe_film_copy_rgb(const lobe_film *film, float *rgb)
-{
+int lobe_film_copy_rgb(const lobe_film *film, float *rgb) {
     for (size_t i = 0; i < (size_t)film->width * (size_t)film->height; i++) {
         vec3 mean = lobe_film_mean(film, i);
         memcpy(rgb + 3 * i, &mean, 3 * sizeof *rgb);
@@ -86,30 +76,25 @@ int lobe_film_copy_rgb(const lobe_film *film, float *rgb)
     return 1;
 }
 
-static void copy_first_hit(const lobe_film *film, int offset, int channels, float *values)
-{
+static void copy_first_hit(const lobe_film *film, int offset, int channels, float *values) {
     for (size_t i = 0; i < (size_t)film->width * (size_t)film->height; i++) {
         const float *sums = film->first_hit + i * FILM_FIRST_HIT_FLOATS + offset;
         uint32_t samples = film->pixels[i].samples;
-        for (int c = 0; c < channels; c++)
-            *values++ = samples ? sums[c] / (float)samples : 0.0f;
+        for (int c = 0; c < channels; c++) *values++ = samples ? sums[c] / (float)samples : 0.0f;
     }
 }
 
-static void copy_rejected(const lobe_film *film, float *values)
-{
+static void copy_rejected(const lobe_film *film, float *values) {
     for (size_t i = 0; i < (size_t)film->width * (size_t)film->height; i++) {
         const film_pixel *pixel = &film->pixels[i];
         values[i] = pixel->draws ? (float)((double)pixel->rejected / (double)pixel->draws) : 0.0f;
     }
 }
 
-int lobe_film_copy_aov(const lobe_film *film, lobe_aov aov, float *values)
-{
+int lobe_film_copy_aov(const lobe_film *film, lobe_aov aov, float *values) {
     static const int offsets[LOBE_AOV_COUNT] = {
         [LOBE_AOV_ALBEDO] = 0, [LOBE_AOV_NORMAL] = 3, [LOBE_AOV_DEPTH] = 6};
-    if ((unsigned)aov >= LOBE_AOV_COUNT || !(film->aovs & LOBE_AOV_BIT(aov)))
-        return 0;
+    if ((unsigned)aov >= LOBE_AOV_COUNT || !(film->aovs & LOBE_AOV_BIT(aov))) return 0;
     if (aov == LOBE_AOV_REJECTED)
         copy_rejected(film, values);
     else
@@ -117,13 +102,11 @@ int lobe_film_copy_aov(const lobe_film *film, lobe_aov aov, float *values)
     return 1;
 }
 
-lobe_render_result lobe_film_read(const char *path, lobe_film **film)
-{
+lobe_render_result lobe_film_read(const char *path, lobe_film **film) {
     *film = NULL;
     image picture;
     lobe_render_result result = lobe_image_read(path, &picture, NULL);
-    if (result != LOBE_RENDER_OK)
-        return result;
+    if (result != LOBE_RENDER_OK) return result;
     *film = lobe_film_create(picture.width, picture.height, 0);
     for (size_t i = 0; *film && i < (size_t)picture.width * (size_t)picture.height; i++)
         lobe_film_add(*film, i, &(film_sample){.radiance = picture.pixels[i]});
@@ -132,8 +115,7 @@ lobe_render_result lobe_film_read(const char *path, lobe_film **film)
 }
 
 lobe_render_result lobe_film_compare(const lobe_film *film, const lobe_film *reference,
-                                     lobe_film_difference *difference)
-{
+                                     lobe_film_difference *difference) {
     *difference = (lobe_film_difference){0};
     if (film->width != reference->width || film->height != reference->height)
         return lobe_fail(LOBE_RENDER_BAD_INPUT,

@@ -32,9 +32,9 @@ typedef struct film_pixel {
 
 struct lobe_film {
     int width, height;
-    uint32_t aovs;             /* LOBE_AOV_BIT */
-    film_pixel *pixels;        /* rows from the top */
-    float *first_hit;          /* sums of albedo, normal, depth: 7 a pixel; NULL: not kept */
+    uint32_t aovs;      /* LOBE_AOV_BIT */
+    film_pixel *pixels; /* rows from the top */
+    float *first_hit;   /* sums of albedo, normal, depth: 7 a pixel; NULL: not kept */
     film_metadata metadata;
 };
 

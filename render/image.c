@@ -11,42 +11,37 @@
 
 #include "message.h"
 
-int lobe_image_create(image *picture, int width, int height)
-{
+int lobe_image_create(image *picture, int width, int height) {
     *picture = (image){width, height, calloc((size_t)width * (size_t)height, sizeof(vec3))};
     return picture->pixels != NULL;
 }
 
-void lobe_image_free(image *picture)
-{
+void lobe_image_free(image *picture) {
     free(picture->pixels);
     picture->pixels = NULL;
 }
 
-float lobe_srgb_to_linear(float c)
-{
+float lobe_srgb_to_linear(float c) {
     return c <= 0.04045f ? c / 12.92f : powf((c + 0.055f) / 1.055f, 2.4f);
 }
 
-float lobe_linear_to_srgb(float c)
-{
+float lobe_linear_to_srgb(float c) {
     return c <= 0.0031308f ? c * 12.92f : 1.055f * powf(c, 1.0f / 2.4f) - 0.055f;
 }
 
-int lobe_path_ends(const char *path, const char *ending)
-{
+int lobe_path_ends(const char *path, const char *ending) {
     size_t length = strlen(path), tail = strlen(ending);
     return length >= tail && strcasecmp(path + length - tail, ending) == 0;
 }
 
-static lobe_render_result read_stb(const char *path, image *picture)
-{
+static lobe_render_result read_stb(const char *path, image *picture) {
     int width, height, channels;
     if (!stbi_info(path, &width, &height, &channels))
-        return lobe_fail(LOBE_RENDER_BAD_INPUT,
-                         "%s: not a picture that can be read (%s); use .exr, .hdr, .pfm, .png, .jpg "
-                         "or .tga",
-                         path, stbi_failure_reason());
+        return lobe_fail(
+            LOBE_RENDER_BAD_INPUT,
+            "%s: not a picture that can be read (%s); use .exr, .hdr, .pfm, .png, .jpg "
+            "or .tga",
+            path, stbi_failure_reason());
     if ((size_t)width * (size_t)height > LOBE_IMAGE_PIXELS_MAX)
         return lobe_fail(LOBE_RENDER_BAD_INPUT, "%s: %d x %d pixels are too many; scale it down",
                          path, width, height);
@@ -71,8 +66,7 @@ static lobe_render_result read_stb(const char *path, image *picture)
     return ok ? LOBE_RENDER_OK : lobe_fail_memory(path);
 }
 
-static size_t repair(image *picture)
-{
+static size_t repair(image *picture) {
     size_t repaired = 0;
     for (size_t i = 0; i < (size_t)picture->width * (size_t)picture->height; i++) {
         vec3 *p = &picture->pixels[i];
@@ -86,8 +80,7 @@ static size_t repair(image *picture)
     return repaired;
 }
 
-lobe_render_result lobe_image_read(const char *path, image *picture, size_t *repaired)
-{
+lobe_render_result lobe_image_read(const char *path, image *picture, size_t *repaired) {
     *picture = (image){0, 0, NULL};
     struct stat status;
     if (stat(path, &status) != 0)
@@ -106,7 +99,6 @@ lobe_render_result lobe_image_read(const char *path, image *picture, size_t *rep
         return result;
     }
     size_t count = repair(picture);
-    if (repaired)
-        *repaired = count;
+    if (repaired) *repaired = count;
     return LOBE_RENDER_OK;
 }

@@ -105,16 +105,19 @@ static int read_beside(const importer *k, const char *name, texture *t, int is_s
 static int read_texture(importer *k, const struct aiMaterial *m, enum aiTextureType type,
                         int is_srgb) {
     struct aiString name;
-    if (aiGetMaterialTexture(m, type, 0, &name, NULL, NULL, NULL, NULL, NULL, NULL) != aiReturn_SUCCESS)
+    if (aiGetMaterialTexture(m, type, 0, &name, NULL, NULL, NULL, NULL, NULL, NULL) !=
+        aiReturn_SUCCESS)
         return NO_TEXTURE;
     const struct aiTexture *embedded = find_embedded(k->file, name.data);
     texture t;
-    int ok = embedded ? read_embedded(embedded, &t, is_srgb)
-                      : read_beside(k, name.data, &t, is_srgb);
+    int ok =
+        embedded ? read_embedded(embedded, &t, is_srgb) : read_beside(k, name.data, &t, is_srgb);
     if (!ok) {
         k->scene->info.missing_textures++;
-        lobe_warn(&k->scene->warnings, "%s: texture %s is missing or unreadable; it is shown in "
-                                       "magenta", k->path, name.data);
+        lobe_warn(&k->scene->warnings,
+                  "%s: texture %s is missing or unreadable; it is shown in "
+                  "magenta",
+                  k->path, name.data);
         if (!is_srgb) return NO_TEXTURE;
         if (!lobe_texture_solid(&t, v3(1.0f, 0.0f, 1.0f), 1)) return NO_TEXTURE;
     }
@@ -166,10 +169,12 @@ static material read_material(importer *k, const struct aiMaterial *from) {
     vec3 emission = read_color(from, "$clr.emissive", v3_all(0.0f));
     m.emission = v3_scale(emission, fmaxf(read_float(from, "$mat.emissiveIntensity", 1.0f), 0.0f));
     m.base_texture = read_texture(k, from, aiTextureType_BASE_COLOR, 1);
-    if (m.base_texture == NO_TEXTURE) m.base_texture = read_texture(k, from, aiTextureType_DIFFUSE, 1);
+    if (m.base_texture == NO_TEXTURE)
+        m.base_texture = read_texture(k, from, aiTextureType_DIFFUSE, 1);
     m.normal_texture = read_texture(k, from, aiTextureType_NORMALS, 0);
     m.surface_texture = read_texture(k, from, aiTextureType_METALNESS, 0);
-    if (v3_max(m.emission) > 0.0f) m.emission_texture = read_texture(k, from, aiTextureType_EMISSIVE, 1);
+    if (v3_max(m.emission) > 0.0f)
+        m.emission_texture = read_texture(k, from, aiTextureType_EMISSIVE, 1);
     return m;
 }
 
@@ -227,9 +232,10 @@ static lobe_render_result read_scene(importer *k) {
     for (unsigned i = 0; i < k->file->mNumCameras; i++) read_camera(k, k->file->mCameras[i]);
     uint64_t dropped = k->scene->info.dropped_triangles;
     if (dropped)
-        lobe_warn(&k->scene->warnings, "%s: %llu triangles without area or with a coordinate that "
-                                       "is not finite; they are left out", k->path,
-                  (unsigned long long)dropped);
+        lobe_warn(&k->scene->warnings,
+                  "%s: %llu triangles without area or with a coordinate that "
+                  "is not finite; they are left out",
+                  k->path, (unsigned long long)dropped);
     return LOBE_RENDER_OK;
 }
 
@@ -239,18 +245,21 @@ lobe_render_result lobe_scene_import(lobe_scene *s, const char *path,
     if (!file)
         return lobe_fail(LOBE_RENDER_BAD_INPUT,
                          "%s: no such file and no built-in scene; list the built-in ones to see "
-                         "their names", path);
+                         "their names",
+                         path);
     fclose(file);
     lobe_render_result result = check_extensions(path);
     if (result != LOBE_RENDER_OK) return result;
     const unsigned steps = aiProcess_Triangulate | aiProcess_GenSmoothNormals |
                            aiProcess_CalcTangentSpace | aiProcess_PreTransformVertices |
-                           aiProcess_SortByPType | aiProcess_FlipUVs | aiProcess_ValidateDataStructure;
+                           aiProcess_SortByPType | aiProcess_FlipUVs |
+                           aiProcess_ValidateDataStructure;
     importer k = {.scene = s, .options = options, .path = path};
     k.file = aiImportFile(path, steps);
     if (!k.file) {
-        return lobe_fail(LOBE_RENDER_BAD_INPUT, "%s: cannot be read as a scene (%.200s); is it damaged?",
-                         path, aiGetErrorString());
+        return lobe_fail(LOBE_RENDER_BAD_INPUT,
+                         "%s: cannot be read as a scene (%.200s); is it damaged?", path,
+                         aiGetErrorString());
     }
     result = read_scene(&k);
     aiReleaseImport(k.file);

@@ -41,13 +41,13 @@ static vec3 mapped_normal(const lobe_scene *s, const hit_point *h, const frame *
     return v3_normalize_or(frame_to_world(f, local), f->z);
 }
 
-static hit_point hit_point_of(const lobe_scene *s, const ray_hit *hit,
-                              vec3 direction) {
+static hit_point hit_point_of(const lobe_scene *s, const ray_hit *hit, vec3 direction) {
     const triangle *t = &s->triangles[hit->triangle];
     const vertex *a = &s->vertices[t->vertex[0]], *b = &s->vertices[t->vertex[1]],
                  *c = &s->vertices[t->vertex[2]];
     float u = hit->u, v = hit->v, w = 1.0f - u - v;
-    hit_point h = {.distance = hit->distance, .triangle = t, .material = &s->materials[t->material]};
+    hit_point h = {
+        .distance = hit->distance, .triangle = t, .material = &s->materials[t->material]};
     h.u = w * a->u + u * b->u + v * c->u;
     h.v = w * a->v + u * b->v + v * c->v;
     h.position = interpolate(a->position, b->position, c->position, u, v);
@@ -69,8 +69,7 @@ static hit_point hit_point_of(const lobe_scene *s, const ray_hit *hit,
 
 static surface surface_of(const integrator *k, const hit_point *h, vec3 to_viewer) {
     const material *m = h->material;
-    vec3 color = v3_mul(m->base_color,
-                        sample_texture(k->scene, m->base_texture, h, v3_all(1.0f)));
+    vec3 color = v3_mul(m->base_color, sample_texture(k->scene, m->base_texture, h, v3_all(1.0f)));
     vec3 packed = sample_texture(k->scene, m->surface_texture, h, v3_all(1.0f));
     return lobe_surface_at(&k->surface, h->shading, h->geometric, to_viewer, color,
                            m->metallic * packed.z, m->roughness * packed.y, m->anisotropy);
@@ -127,10 +126,9 @@ typedef struct light_sample {
 } light_sample;
 
 static light_sample draw_lamp(const lobe_scene *s, vec3 from, sampler_point point) {
-    uint32_t light =
-        alias_draw(&s->light_table, point.bits[1],
-                   (float)((uint32_t)((uint64_t)point.bits[1] * s->light_table.count) >> 8) *
-                       0x1p-24f);
+    uint32_t light = alias_draw(
+        &s->light_table, point.bits[1],
+        (float)((uint32_t)((uint64_t)point.bits[1] * s->light_table.count) >> 8) * 0x1p-24f);
     const triangle *t = &s->triangles[s->lights[light]];
     float root = sqrtf(sampler_unit(point.bits[2])), v = sampler_unit(point.bits[3]) * root;
     vec3 a = s->vertices[t->vertex[0]].position, b = s->vertices[t->vertex[1]].position,
@@ -208,8 +206,12 @@ static int scatter(path *p, const hit_point *h, const surface *surface, int scat
 
 film_sample lobe_trace_path(const integrator *k, vec3 origin, vec3 direction, sampler *points,
                             uint64_t *rays) {
-    path p = {.k = k, .points = points, .origin = origin, .direction = direction,
-              .throughput = v3_all(1.0f), .is_camera = 1};
+    path p = {.k = k,
+              .points = points,
+              .origin = origin,
+              .direction = direction,
+              .throughput = v3_all(1.0f),
+              .is_camera = 1};
     for (int scatterings = 0;; scatterings++) {
         ray_hit hit;
         p.rays++;

@@ -61,8 +61,8 @@ static float specular_probability(const surface *s, float coat_i) {
 surface lobe_surface_at(const surface_options *options, frame shading, vec3 geometric,
                         vec3 to_viewer, vec3 base_color, float metallic, float roughness,
                         float anisotropy) {
-    surface s = {.frame = shading, .geometric = geometric, .base_color = base_color,
-                 .metallic = metallic};
+    surface s = {
+        .frame = shading, .geometric = geometric, .base_color = base_color, .metallic = metallic};
     lobe_vec3_f32 wi = frame_to_local(&shading, to_viewer);
     float alpha = roughness * roughness;
     s.ggx = lobe_ggx_prepare_f32(options->ggx, wi, alpha * (1.0f + anisotropy),

@@ -8,8 +8,8 @@
 
 /* Keep the formatted line for lobe_render_error_message and return `result`. Control characters (a
  * file's name may hold any) become '?'. */
-__attribute__((format(printf, 2, 3))) lobe_render_result
-lobe_fail(lobe_render_result result, const char *format, ...);
+__attribute__((format(printf, 2, 3))) lobe_render_result lobe_fail(lobe_render_result result,
+                                                                   const char *format, ...);
 
 lobe_render_result lobe_fail_memory(const char *where);
 

@@ -7,8 +7,7 @@
 
 #include "message.h"
 
-static float swap_bytes(float value)
-{
+static float swap_bytes(float value) {
     uint32_t bits;
     memcpy(&bits, &value, sizeof bits);
     bits = __builtin_bswap32(bits);
@@ -16,8 +15,7 @@ static float swap_bytes(float value)
     return value;
 }
 
-static int read_rows(FILE *file, image *picture, int channels, int swap)
-{
+static int read_rows(FILE *file, image *picture, int channels, int swap) {
     size_t row_floats = (size_t)picture->width * (size_t)channels;
     float *row = malloc(row_floats * sizeof *row);
     int ok = row != NULL;
@@ -37,8 +35,7 @@ static int read_rows(FILE *file, image *picture, int channels, int swap)
     return ok;
 }
 
-lobe_render_result lobe_image_read_pfm(const char *path, image *picture)
-{
+lobe_render_result lobe_image_read_pfm(const char *path, image *picture) {
     FILE *file = fopen(path, "rb");
     if (!file)
         return lobe_fail(LOBE_RENDER_BAD_INPUT, "%s: cannot be opened; give a picture", path);
@@ -51,8 +48,8 @@ lobe_render_result lobe_image_read_pfm(const char *path, image *picture)
     if (fields != 4 || (kind != 'F' && kind != 'f') || width < 1 || height < 1 ||
         width > LOBE_RENDER_SIZE_MAX || height > LOBE_RENDER_SIZE_MAX || white == EOF ||
         (size_t)width * (size_t)height > LOBE_IMAGE_PIXELS_MAX)
-        result = lobe_fail(LOBE_RENDER_BAD_INPUT, "%s: not a portable float map of usable size",
-                           path);
+        result =
+            lobe_fail(LOBE_RENDER_BAD_INPUT, "%s: not a portable float map of usable size", path);
     else if (!lobe_image_create(picture, width, height))
         result = lobe_fail_memory(path);
     else if (!read_rows(file, picture, kind == 'F' ? 3 : 1, scale > 0.0f))

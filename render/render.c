@@ -33,8 +33,12 @@ const char *lobe_heuristic_name(lobe_heuristic heuristic) {
 }
 
 lobe_render_options lobe_render_default_options(void) {
-    return (lobe_render_options){.ggx = lobe_ggx_default_options(), .width = 960, .height = 540,
-                                 .samples = 64, .depth = 8, .roulette_depth = 5,
+    return (lobe_render_options){.ggx = lobe_ggx_default_options(),
+                                 .width = 960,
+                                 .height = 540,
+                                 .samples = 64,
+                                 .depth = 8,
+                                 .roulette_depth = 5,
                                  .heuristic = LOBE_HEURISTIC_POWER};
 }
 
@@ -65,8 +69,8 @@ static void make_filter(float table[FILTER_STEPS + 1]) {
     double sum[CELLS + 1] = {0.0};
     for (int i = 0; i < CELLS; i++) {
         double t = 6.283185307179586 * (i + 0.5) / CELLS;
-        sum[i + 1] = sum[i] + 0.35875 - 0.48829 * cos(t) + 0.14128 * cos(2 * t) -
-                     0.01168 * cos(3 * t);
+        sum[i + 1] =
+            sum[i] + 0.35875 - 0.48829 * cos(t) + 0.14128 * cos(2 * t) - 0.01168 * cos(3 * t);
     }
     for (int k = 0, i = 0; k <= FILTER_STEPS; k++) {
         double target = sum[CELLS] * k / FILTER_STEPS;
@@ -84,7 +88,8 @@ static float filter_offset(const job *j, uint32_t bits) {
 
 static void render_sample(const job *j, int x, int y, uint32_t index, uint64_t *rays) {
     const lobe_render_options *o = j->options;
-    sampler points = {.key = lobe_sampler_key(o->seed, (uint32_t)x, (uint32_t)y), .index = index,
+    sampler points = {.key = lobe_sampler_key(o->seed, (uint32_t)x, (uint32_t)y),
+                      .index = index,
                       .index_bits = lobe_sampler_index_bits(o->samples)};
     sampler_point p = lobe_sampler_next(&points);
     float px = ((float)x + 0.5f + filter_offset(j, p.bits[0])) / (float)o->width * 2.0f - 1.0f;
@@ -113,12 +118,13 @@ static void render_tile(const job *j, int tile, uint32_t first, uint32_t count, 
 static void show_progress(const job *j, double fraction) {
     if (!j->options->progress || omp_get_thread_num() != 0) return;
     double seconds = now(CLOCK_MONOTONIC) - j->start;
-    lobe_render_progress p = {
-        .fraction = fraction, .seconds = seconds,
-        .seconds_left = fraction > 0.0 ? seconds * (1.0 - fraction) / fraction : -1.0,
-        .samples = (uint64_t)(fraction * j->options->samples * (double)j->options->width *
-                              j->options->height),
-        .pixel_samples = j->done};
+    lobe_render_progress p = {.fraction = fraction,
+                              .seconds = seconds,
+                              .seconds_left =
+                                  fraction > 0.0 ? seconds * (1.0 - fraction) / fraction : -1.0,
+                              .samples = (uint64_t)(fraction * j->options->samples *
+                                                    (double)j->options->width * j->options->height),
+                              .pixel_samples = j->done};
     j->options->progress(j->options->progress_user, &p);
 }
 
@@ -187,12 +193,14 @@ static lobe_render_result check_options(const lobe_render_options *o) {
                          o->threads);
     if ((unsigned)o->ggx.method >= LOBE_METHOD_COUNT || (unsigned)o->heuristic >= 4u ||
         !(o->time_limit >= 0.0))
-        return lobe_fail(LOBE_RENDER_BAD_INPUT, "options: a value is out of range; see lobe/render.h");
+        return lobe_fail(LOBE_RENDER_BAD_INPUT,
+                         "options: a value is out of range; see lobe/render.h");
     return LOBE_RENDER_OK;
 }
 
 static void fill_statistics(const job *j, double cpu, int threads, lobe_render_statistics *st) {
-    *st = (lobe_render_statistics){.rays = j->rays, .threads = threads, .pixel_samples = UINT32_MAX};
+    *st =
+        (lobe_render_statistics){.rays = j->rays, .threads = threads, .pixel_samples = UINT32_MAX};
     for (size_t i = 0; i < (size_t)j->options->width * (size_t)j->options->height; i++) {
         const film_pixel *p = &j->film->pixels[i];
         st->samples += p->samples + p->dropped;
@@ -235,8 +243,11 @@ lobe_render_result lobe_render(const lobe_scene *scene, lobe_render_options opti
     if (result != LOBE_RENDER_OK) return result;
     job j = {.scene = scene, .options = &options, .start = now(CLOCK_MONOTONIC)};
     double cpu = now(CLOCK_PROCESS_CPUTIME_ID);
-    j.integrator = (integrator){scene, {options.ggx, scene->coat_albedo}, options.heuristic,
-                                options.depth, options.roulette_depth};
+    j.integrator = (integrator){scene,
+                                {options.ggx, scene->coat_albedo},
+                                options.heuristic,
+                                options.depth,
+                                options.roulette_depth};
     if ((result = aim(&j)) != LOBE_RENDER_OK) return result;
     make_filter(j.filter);
     j.film = lobe_film_create(options.width, options.height, options.aovs);

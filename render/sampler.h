@@ -28,8 +28,7 @@ uint32_t lobe_sampler_key(uint64_t seed, uint32_t x, uint32_t y);
 sampler_point lobe_sampler_next(sampler *s);
 
 /* Word to [0, 1). */
-static inline float sampler_unit(uint32_t bits)
-{
+static inline float sampler_unit(uint32_t bits) {
     return (float)(bits >> 8) * 0x1p-24f;
 }
 

@@ -54,7 +54,9 @@ int lobe_scene_add_texture(lobe_scene *s, texture t) {
 
 void lobe_scene_add_camera(lobe_scene *s, const char *name, vec3 position, vec3 target,
                            float vertical_degrees) {
-    camera c = {.position = position, .target = target, .up = {0.0f, 1.0f, 0.0f},
+    camera c = {.position = position,
+                .target = target,
+                .up = {0.0f, 1.0f, 0.0f},
                 .vertical_degrees = vertical_degrees};
     snprintf(c.name, sizeof c.name, "%s", name);
     append_camera(s, c);
@@ -69,8 +71,8 @@ void lobe_scene_add_triangle(lobe_scene *s, uint32_t a, uint32_t b, uint32_t c, 
     uint32_t n = s->vertex_count;
     int usable = a < n && b < n && c < n;
     if (usable) {
-        float area = area_of(s->vertices[a].position, s->vertices[b].position,
-                             s->vertices[c].position);
+        float area =
+            area_of(s->vertices[a].position, s->vertices[b].position, s->vertices[c].position);
         usable = isfinite(area) && area > 0.0f;
     }
     if (usable)
@@ -80,14 +82,18 @@ void lobe_scene_add_triangle(lobe_scene *s, uint32_t a, uint32_t b, uint32_t c, 
 }
 
 material lobe_default_material(void) {
-    return (material){.base_color = {0.8f, 0.8f, 0.8f}, .roughness = 0.5f,
-                      .base_texture = NO_TEXTURE, .normal_texture = NO_TEXTURE,
-                      .surface_texture = NO_TEXTURE, .emission_texture = NO_TEXTURE,
+    return (material){.base_color = {0.8f, 0.8f, 0.8f},
+                      .roughness = 0.5f,
+                      .base_texture = NO_TEXTURE,
+                      .normal_texture = NO_TEXTURE,
+                      .surface_texture = NO_TEXTURE,
+                      .emission_texture = NO_TEXTURE,
                       .normal_scale = 1.0f};
 }
 
 lobe_scene_options lobe_scene_default_options(void) {
-    return (lobe_scene_options){.default_base_color = {0.8f, 0.8f, 0.8f}, .default_roughness = 0.5f};
+    return (lobe_scene_options){.default_base_color = {0.8f, 0.8f, 0.8f},
+                                .default_roughness = 0.5f};
 }
 
 void lobe_scene_free(lobe_scene *s) {
@@ -155,8 +161,8 @@ static void add_ground(lobe_scene *s) {
     uint32_t m = lobe_scene_add_material(s, grey), first = s->vertex_count;
     for (int k = 0; k < 4; k++) {
         vec3 place = {k == 1 || k == 2 ? size : -size, y, k < 2 ? size : -size};
-        lobe_scene_add_vertex(s, (vertex){.position = place, .normal = {0.0f, 1.0f, 0.0f},
-                                          .handedness = 1.0f});
+        lobe_scene_add_vertex(
+            s, (vertex){.position = place, .normal = {0.0f, 1.0f, 0.0f}, .handedness = 1.0f});
     }
     lobe_scene_add_triangle(s, first, first + 1, first + 2, m);
     lobe_scene_add_triangle(s, first, first + 2, first + 3, m);
@@ -191,7 +197,8 @@ static void fill_info(lobe_scene *s) {
     s->info.materials = s->material_count;
     s->info.textures = s->texture_count;
     s->info.warnings = s->warnings.count;
-    s->info.bytes = s->vertex_count * sizeof *s->vertices + s->triangle_count * sizeof *s->triangles;
+    s->info.bytes =
+        s->vertex_count * sizeof *s->vertices + s->triangle_count * sizeof *s->triangles;
     for (uint32_t i = 0; i < s->texture_count; i++)
         s->info.bytes += 3u * (uint64_t)s->textures[i].width * (uint64_t)s->textures[i].height;
 }

@@ -56,7 +56,7 @@ struct lobe_scene {
     environment sky;
     int has_sky;
     tracer *tracer;
-    vec3 low, high; /* bounds */
+    vec3 low, high;                             /* bounds */
     float coat_albedo[COAT_ROWS][COAT_COLUMNS]; /* see material.h */
     lobe_scene_info info;
     warnings warnings;

@@ -22,7 +22,8 @@ int lobe_texture_read_file(texture *t, const char *path, int is_srgb) {
 int lobe_texture_read_memory(texture *t, const void *data, size_t size, int is_srgb) {
     int width = 0, height = 0, channels = 0;
     unsigned char *rgb = NULL;
-    if (size <= INT_MAX) rgb = stbi_load_from_memory(data, (int)size, &width, &height, &channels, 3);
+    if (size <= INT_MAX)
+        rgb = stbi_load_from_memory(data, (int)size, &width, &height, &channels, 3);
     return adopt(t, rgb, width, height, is_srgb);
 }
 

@@ -4,8 +4,10 @@
 void lobe_scene_brushed(lobe_scene *s) {
     lobe_shape_sky(s);
     uint32_t floor = lobe_shape_material(s, v3(0.16f, 0.17f, 0.19f), 0.0f, 0.6f, 0.0f);
-    lobe_shape_quad(s, floor, v3(-30.0f, 0.0f, 30.0f), v3(60.0f, 0.0f, 0.0f), v3(0.0f, 0.0f, -60.0f));
-    static const vec3 colors[] = {{0.91f, 0.92f, 0.92f}, {0.95f, 0.64f, 0.54f}, {0.98f, 0.82f, 0.55f}};
+    lobe_shape_quad(s, floor, v3(-900.0f, 0.0f, 900.0f), v3(1800.0f, 0.0f, 0.0f),
+                    v3(0.0f, 0.0f, -1800.0f));
+    static const vec3 colors[] = {
+        {0.91f, 0.92f, 0.92f}, {0.95f, 0.64f, 0.54f}, {0.98f, 0.82f, 0.55f}};
     for (int i = 0; i < 3; i++) {
         float x = -2.2f + 2.2f * (float)i, roughness = 0.45f + 0.15f * (float)i;
         uint32_t around = lobe_shape_material(s, colors[i], 1.0f, roughness, 0.9f);

@@ -30,7 +30,7 @@ static void add_block(lobe_scene *s, uint32_t m, vec3 foot, float size, float he
 void lobe_scene_cornell(lobe_scene *s) {
     add_walls(s);
     uint32_t lamp = lobe_shape_lamp(s, v3(17.0f, 12.5f, 6.5f));
-    lobe_shape_quad(s, lamp, v3(-0.3f, 1.995f, -0.3f), v3(0.6f, 0.0f, 0.0f), v3(0.0f, 0.0f, 0.6f));
+    lobe_shape_quad(s, lamp, v3(-0.3f, 1.92f, -0.3f), v3(0.6f, 0.0f, 0.0f), v3(0.0f, 0.0f, 0.6f));
     uint32_t metal = lobe_shape_material(s, v3(0.95f, 0.78f, 0.55f), 1.0f, 0.45f, 0.0f);
     add_block(s, metal, v3(-0.75f, 0.0f, -0.55f), 0.6f, 1.15f, 0.3f);
     uint32_t coated = lobe_shape_material(s, v3(0.20f, 0.35f, 0.65f), 0.0f, 0.2f, 0.0f);

@@ -22,9 +22,9 @@ static void add_metals(lobe_scene *s) {
 }
 
 static void add_dielectrics(lobe_scene *s) {
-    static const vec3 colors[] = {{0.70f, 0.07f, 0.06f}, {0.06f, 0.26f, 0.50f}, {0.85f, 0.82f, 0.76f},
-                                  {0.05f, 0.33f, 0.17f}, {0.82f, 0.45f, 0.06f}, {0.12f, 0.11f, 0.12f},
-                                  {0.36f, 0.18f, 0.44f}};
+    static const vec3 colors[] = {
+        {0.70f, 0.07f, 0.06f}, {0.06f, 0.26f, 0.50f}, {0.85f, 0.82f, 0.76f}, {0.05f, 0.33f, 0.17f},
+        {0.82f, 0.45f, 0.06f}, {0.12f, 0.11f, 0.12f}, {0.36f, 0.18f, 0.44f}};
     for (int i = 0; i < 7; i++) {
         float roughness = 0.04f + 0.14f * (float)i;
         uint32_t m = lobe_shape_material(s, colors[i], 0.0f, roughness, 0.0f);
@@ -34,14 +34,15 @@ static void add_dielectrics(lobe_scene *s) {
 
 void lobe_scene_gallery(lobe_scene *s) {
     lobe_shape_sky(s);
-    uint32_t floor = lobe_shape_material(s, v3(0.30f, 0.29f, 0.28f), 0.0f, 0.45f, 0.0f);
-    lobe_shape_quad(s, floor, v3(-40.0f, 0.0f, 40.0f), v3(80.0f, 0.0f, 0.0f), v3(0.0f, 0.0f, -80.0f));
-    uint32_t box = lobe_shape_lamp(s, v3(9.0f, 8.6f, 8.0f));
+    uint32_t floor = lobe_shape_material(s, v3(0.22f, 0.215f, 0.21f), 0.0f, 0.35f, 0.0f);
+    lobe_shape_quad(s, floor, v3(-900.0f, 0.0f, 900.0f), v3(1800.0f, 0.0f, 0.0f),
+                    v3(0.0f, 0.0f, -1800.0f));
+    uint32_t box = lobe_shape_lamp(s, v3(5.0f, 4.8f, 4.4f));
     lobe_shape_quad(s, box, v3(-2.6f, 4.6f, 2.6f), v3(0.0f, 0.0f, -2.4f), v3(3.6f, 0.0f, 0.0f));
     uint32_t plate = lobe_shape_material(s, v3(0.93f, 0.92f, 0.90f), 1.0f, 0.5f, 0.85f);
     lobe_shape_cylinder(s, plate, v3(3.85f, 0.0f, 0.75f), 0.32f, 1.0f);
     lobe_shape_disk(s, plate, v3(3.85f, 1.0f, 0.75f), 0.32f);
     add_metals(s);
     add_dielectrics(s);
-    lobe_scene_add_camera(s, "gallery", v3(0.35f, 2.35f, 6.9f), v3(0.15f, 0.38f, 0.0f), 29.0f);
+    lobe_scene_add_camera(s, "gallery", v3(0.35f, 1.9f, 8.6f), v3(0.3f, 0.55f, 0.0f), 32.0f);
 }

@@ -7,7 +7,8 @@ static const struct {
     const char *name, *about;
     void (*build)(lobe_scene *s);
 } scenes[] = {
-    {"gallery", "rough metals and coated dielectrics, smooth to rough, some brushed", lobe_scene_gallery},
+    {"gallery", "rough metals and coated dielectrics, smooth to rough, some brushed",
+     lobe_scene_gallery},
     {"furnace", "a white sphere in white light: invisible if right", lobe_scene_furnace},
     {"brushed", "strongly anisotropic disks and cylinders", lobe_scene_brushed},
     {"normal-mapped", "a metal wall with a strong normal map", lobe_scene_normal_mapped},

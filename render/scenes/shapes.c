@@ -74,7 +74,8 @@ void lobe_shape_sphere(lobe_scene *s, uint32_t material, vec3 centre, float radi
 }
 
 void lobe_shape_disk(lobe_scene *s, uint32_t material, vec3 centre, float radius) {
-    const outline_point outline[2] = {{radius, 0.0f, 0.0f, 1.0f}, {1e-3f * radius, 0.0f, 0.0f, 1.0f}};
+    const outline_point outline[2] = {{radius, 0.0f, 0.0f, 1.0f},
+                                      {1e-3f * radius, 0.0f, 0.0f, 1.0f}};
     revolve(s, material, centre, outline, 2, 256);
 }
 
