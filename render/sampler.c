@@ -6,7 +6,7 @@ enum { DIMENSIONS = 4, BITS = 32 };
 
 /* Sobol direction numbers, bit-reversed (the first digit of the point is bit 0). The first dimension
  * is van der Corput's; the others follow from the primitive polynomials x + 1, x^2 + x + 1 and
- * x^3 + x + 1 over GF(2) and small odd initial numbers (render/sobol_directions.py, which also
+ * x^3 + x + 1 over GF(2) and small odd initial numbers (tools/numerics/sobol_directions.py, which also
  * checks the stratification of every pair). */
 static const uint32_t directions[BITS][DIMENSIONS] = {
 #include "sobol_directions.inc"

@@ -62,11 +62,11 @@ LOBE_API const char *lobe_builtin_scene_name(size_t index);
 LOBE_API const char *lobe_builtin_scene_about(size_t index);
 
 typedef struct lobe_scene_options {
-    const char *environment;       /* panorama to light with (.exr, .hdr, .png, …); NULL: the scene's
+    const char *environment;    /* panorama to light with (.exr, .hdr, .png, …); NULL: the scene's
                                       own light, and a sky where a file brings none */
-    float environment_rotation;    /* degrees about +Y, counter-clockwise from above; default 0 */
-    int strict;                    /* 1: a missing texture or another warning is an error; default 0 */
-    int ground;                    /* 1: put a large matte floor below a file's scene; default 0 */
+    float environment_rotation; /* degrees about +Y, counter-clockwise from above; default 0 */
+    int strict;                 /* 1: a missing texture or another warning is an error; default 0 */
+    int ground;                 /* 1: put a large matte floor below a file's scene; default 0 */
     float default_base_color[3];   /* material of meshes that bring none: linear, [0, 1]; 0.8 */
     float default_metallic;        /* [0, 1]; default 0 */
     float default_roughness;       /* perceptual, [0, 1]; alpha is its square; default 0.5 */
@@ -90,10 +90,10 @@ typedef struct lobe_scene_info {
     uint64_t vertices;
     uint64_t materials;
     uint64_t textures;
-    uint64_t missing_textures;  /* shown in magenta */
-    uint64_t cameras;           /* in the file; 0: framed automatically */
+    uint64_t missing_textures; /* shown in magenta */
+    uint64_t cameras;          /* in the file; 0: framed automatically */
     uint64_t warnings;
-    uint64_t bytes;             /* geometry, textures and Embree's tree */
+    uint64_t bytes; /* geometry, textures and Embree's tree */
     double load_seconds;
 } lobe_scene_info;
 
@@ -151,15 +151,15 @@ typedef struct lobe_render_progress {
 typedef void (*lobe_progress_function)(void *user, const lobe_render_progress *progress);
 
 typedef struct lobe_render_options {
-    lobe_ggx_options ggx;     /* default lobe_ggx_default_options() */
-    int width, height;        /* pixels, 1 to LOBE_RENDER_SIZE_MAX; default 960 x 540 */
-    uint32_t samples;         /* camera paths a pixel, 1 to LOBE_RENDER_SAMPLES_MAX; default 64 */
-    int depth;                /* greatest number of surface scatterings on a path, 0 to 1000000; 8 */
-    int roulette_depth;       /* Russian roulette after so many scatterings; default 5 */
-    uint64_t seed;            /* default 0 */
-    int threads;              /* 0: as many as OpenMP offers; default 0 */
-    double time_limit;        /* seconds, then stop with what is finished; 0: none; default 0 */
-    const char *camera;       /* name of a camera of the file; NULL: its first, else framed */
+    lobe_ggx_options ggx; /* default lobe_ggx_default_options() */
+    int width, height;    /* pixels, 1 to LOBE_RENDER_SIZE_MAX; default 960 x 540 */
+    uint32_t samples;     /* camera paths a pixel, 1 to LOBE_RENDER_SAMPLES_MAX; default 64 */
+    int depth;            /* greatest number of surface scatterings on a path, 0 to 1000000; 8 */
+    int roulette_depth;   /* Russian roulette after so many scatterings; default 5 */
+    uint64_t seed;        /* default 0 */
+    int threads;          /* 0: as many as OpenMP offers; default 0 */
+    double time_limit;    /* seconds, then stop with what is finished; 0: none; default 0 */
+    const char *camera;   /* name of a camera of the file; NULL: its first, else framed */
     lobe_heuristic heuristic; /* default LOBE_HEURISTIC_POWER */
     uint32_t aovs;            /* LOBE_AOV_BIT(…) of the extra channels to keep; default 0 */
     lobe_progress_function progress; /* NULL: none */
@@ -177,12 +177,12 @@ typedef struct lobe_render_statistics {
     uint64_t dropped_samples; /* of them not finite, not in the film: a defect if not 0 */
     uint64_t rays;            /* camera, bounce and shadow rays */
     uint64_t ggx_draws;
-    uint64_t ggx_rejected;    /* of them below the shading or the geometric surface */
-    double rejected_share;    /* ggx_rejected / ggx_draws */
-    double seconds;           /* of the wall clock */
-    double cpu_seconds;       /* of all threads together */
-    uint32_t pixel_samples;   /* fewest samples of any pixel */
-    int threads;              /* used */
+    uint64_t ggx_rejected;  /* of them below the shading or the geometric surface */
+    double rejected_share;  /* ggx_rejected / ggx_draws */
+    double seconds;         /* of the wall clock */
+    double cpu_seconds;     /* of all threads together */
+    uint32_t pixel_samples; /* fewest samples of any pixel */
+    int threads;            /* used */
 } lobe_render_statistics;
 
 typedef struct lobe_film lobe_film;
