@@ -7,6 +7,11 @@
 
 enum { DEPTH = 16 };
 
+/* The bin of everything that rounding blurs. */
+enum { BLURRED };
+
+static const double MOST_SHIFT = 0.02;
+
 enum { DENSITY, VALUE, CUT_MEAN, CUT_SQUARE };
 
 typedef struct field {
@@ -66,13 +71,43 @@ static int reserve_nodes(lobe_bins *bins, size_t more) {
     return is_good;
 }
 
-static int make_bin(lobe_bins *bins, size_t node, const double integral[LOBE_CUBATURE_VALUES]) {
+static int add_bin(lobe_bins *bins) {
     void *array = bins->share;
     int is_good = grow(&array, &bins->room, bins->count + 1, sizeof *bins->share);
     bins->share = array;
-    if (!is_good) return 0;
-    bins->nodes[node] = (lobe_bin_node){0, -1, (int32_t)bins->count};
-    bins->share[bins->count++] = integral[DENSITY];
+    if (is_good) bins->share[bins->count++] = 0;
+    return is_good;
+}
+
+/* Whether rounding a direction in the middle of a box moves it by more than a small part of the box:
+ * where draws are rounded to a lattice as coarse as the bins, the bins count lattice points. */
+static int is_blurred(const lobe_verify_model *model, lobe_box box) {
+    double wo[3], t, a;
+    double middle[2] = {(box.low[0] + box.high[0]) / 2, (box.low[1] + box.high[1]) / 2};
+    solid_angle(model, middle[0], middle[1], wo);
+    double shift = 0;
+    for (int k = 0; k < 6; ++k) {
+        double moved[3] = {wo[0], wo[1], wo[2]};
+        moved[k / 2] += k % 2 != 0 ? model->rounding : -model->rounding;
+        lobe_disk_point point;
+        if (!model->chart.point(model->chart.self, moved, &point)) return 1;
+        lobe_square_from_disk(point, &t, &a);
+        double turn = fabs(a - middle[1]);
+        shift = fmax(shift, fabs(t - middle[0]) / (box.high[0] - box.low[0]));
+        shift = fmax(shift, fmin(turn, 1 - turn) / (box.high[1] - box.low[1]));
+    }
+    return shift > MOST_SHIFT;
+}
+
+static int make_bin(lobe_bins *bins, const lobe_verify_model *model, size_t node, lobe_box box,
+                    const double integral[LOBE_CUBATURE_VALUES]) {
+    size_t bin = BLURRED;
+    if (!is_blurred(model, box)) {
+        bin = bins->count;
+        if (!add_bin(bins)) return 0;
+    }
+    bins->nodes[node] = (lobe_bin_node){0, -1, (int32_t)bin};
+    bins->share[bin] += integral[DENSITY];
     bins->density += integral[DENSITY];
     bins->value += integral[VALUE];
     bins->cut_mean += integral[CUT_MEAN];
@@ -81,12 +116,14 @@ static int make_bin(lobe_bins *bins, size_t node, const double integral[LOBE_CUB
 }
 
 /* Halves until a bin holds no more than twice an equal part. */
-static int fill_node(lobe_bins *bins, const lobe_integrand *integrand, size_t node, lobe_box box,
-                     int depth) {
+static int fill_node(lobe_bins *bins, const lobe_verify_model *model,
+                     const lobe_integrand *integrand, size_t node, lobe_box box, int depth) {
     double integral[LOBE_CUBATURE_VALUES];
     lobe_cubature(integrand, box, integral);
     double most = 2.0 / ((double)bins->grid * bins->grid);
-    if (!(integral[DENSITY] > most) || depth == DEPTH) return make_bin(bins, node, integral);
+    if (!(integral[DENSITY] > most) || depth == DEPTH) {
+        return make_bin(bins, model, node, box, integral);
+    }
     if (!reserve_nodes(bins, 2)) return 0;
     int axis = depth & 1;
     double middle = (box.low[axis] + box.high[axis]) / 2;
@@ -97,8 +134,8 @@ static int fill_node(lobe_bins *bins, const lobe_integrand *integrand, size_t no
     lobe_box upper = box;
     lower.high[axis] = middle;
     upper.low[axis] = middle;
-    return fill_node(bins, integrand, child, lower, depth + 1) &&
-           fill_node(bins, integrand, child + 1, upper, depth + 1);
+    return fill_node(bins, model, integrand, child, lower, depth + 1) &&
+           fill_node(bins, model, integrand, child + 1, upper, depth + 1);
 }
 
 /* The error of a whole integral is at most this times the number of cells, and far less in
@@ -115,10 +152,10 @@ int lobe_bins_make(lobe_bins *bins, const lobe_verify_model *model, int grid, do
     /* The cut makes a crease; its integrals are only compared with statistics. */
     lobe_integrand integrand = {evaluate, &f, LOBE_CUBATURE_VALUES, {t, t, 1e3 * t, 1e-5}};
     size_t cells = (size_t)grid * (size_t)grid;
-    int is_good = reserve_nodes(bins, cells);
+    int is_good = reserve_nodes(bins, cells) && add_bin(bins);
     bins->node_count = cells;
     for (size_t cell = 0; cell < cells && is_good; ++cell) {
-        is_good = fill_node(bins, &integrand, cell, cell_box(grid, (int)cell), 0);
+        is_good = fill_node(bins, model, &integrand, cell, cell_box(grid, (int)cell), 0);
     }
     if (!is_good) lobe_bins_free(bins);
     return is_good;

@@ -21,6 +21,11 @@ lobe_verify_model lobe_verify_plain_model(void) {
                                .albedo_oracle = NAN};
 }
 
+double lobe_worse(double worst, double error) {
+    if (isnan(error)) return INFINITY;
+    return error > worst ? error : worst;
+}
+
 /* Cutting the weights keeps the variance of a heavy tail finite and known. Where a bound is
  * promised the cut only bites on a broken promise. */
 static double weight_cut(const lobe_verify_model *model) {

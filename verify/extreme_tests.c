@@ -87,7 +87,7 @@ void lobe_test_mirror(const lobe_verify_model *model, const lobe_settings *setti
         double error = fabs(draw.weight - expected) + fabs(draw.pdf - expected) +
                        model->density(&state, draw.wo) + model->value(&state, draw.wo);
         for (int k = 0; k < 3; ++k) error += expected * fabs(draw.wo[k] - mirrored[k]);
-        if (!(error <= worst)) worst = error;
+        worst = lobe_worse(worst, error);
     }
     lobe_report_error(report, "mirror", worst, 4 * model->rounding, "%d draws", settings->checks);
 }

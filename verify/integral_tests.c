@@ -33,7 +33,7 @@ static void test_uniform(const lobe_verify_model *model, const lobe_settings *se
         double wo[3];
         lobe_hemisphere_direction(settings, (uint64_t)i, wo);
         double error = fabs(model->density(&state, wo) / model->density_oracle - 1);
-        if (!(error <= worst)) worst = error;
+        worst = lobe_worse(worst, error);
     }
     lobe_report_error(report, "uniform", worst, 64 * model->rounding, "of %.9f, %d directions",
                       model->density_oracle, settings->checks);

@@ -22,6 +22,9 @@ void lobe_test_mirror(const lobe_verify_model *model, const lobe_settings *setti
                       lobe_report *report);
 void lobe_test_extreme(const lobe_verify_model *model, lobe_report *report);
 
+/* The larger one; a NaN is the worst there is. */
+double lobe_worse(double worst, double error);
+
 /* Uniform over the upper hemisphere. */
 void lobe_hemisphere_direction(const lobe_settings *settings, uint64_t index, double wo[3]);
 
