@@ -1,5 +1,6 @@
 /* app/render.c: `lobe render`: path-trace a scene. */
 #include <inttypes.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -211,42 +212,61 @@ static void print_statistics(const render_values *v, const char *scene,
     json_decref(o);
 }
 
-static lobe_app_status finish_picture(const render_values *v, const char *scene, lobe_film *film,
+/* The picture to compare with, read before the work; an empty `film` if none was asked for. */
+static lobe_app_status read_reference(const render_values *v, lobe_film **film) {
+    *film = NULL;
+    if (!v->reference) return LOBE_APP_DONE;
+    const lobe_render_result result = lobe_film_read(v->reference, film);
+    if (result != LOBE_RENDER_OK) return failed(result);
+    if (lobe_film_width(*film) == v->size.width && lobe_film_height(*film) == v->size.height)
+        return LOBE_APP_DONE;
+    return lobe_app_reject(v->reference, "render it at the same --size",
+                           "%d x %d pixels, not %d x %d", lobe_film_width(*film),
+                           lobe_film_height(*film), v->size.width, v->size.height);
+}
+
+static lobe_app_status finish_picture(const render_values *v, const char *scene,
+                                      const lobe_film *film, const lobe_film *reference,
                                       const lobe_render_statistics *st) {
     lobe_film_write_options write = lobe_film_default_write_options();
     lobe_film_difference difference = {0};
     write.exposure = (float)v->exposure;
     lobe_render_result result = LOBE_RENDER_OK;
     if (v->out) result = lobe_film_write(film, v->out, write);
-    if (result == LOBE_RENDER_OK && v->reference) {
-        lobe_film *reference = NULL;
-        result = lobe_film_read(v->reference, &reference);
-        if (result == LOBE_RENDER_OK) result = lobe_film_compare(film, reference, &difference);
-        lobe_film_free(reference);
-    }
+    if (result == LOBE_RENDER_OK && reference)
+        result = lobe_film_compare(film, reference, &difference);
     if (result != LOBE_RENDER_OK) return failed(result);
     print_statistics(v, scene, st, &difference);
     return LOBE_APP_DONE;
 }
 
-static lobe_app_status render(const render_values *v, const char *source) {
-    lobe_scene *scene = NULL;
+static lobe_app_status render_scene(const render_values *v, const char *source,
+                                    const lobe_scene *scene, const lobe_film *reference) {
     lobe_film *film = NULL;
     lobe_render_statistics statistics;
-    lobe_app_catch_interrupt();
-    lobe_render_result result = lobe_scene_load(source, scene_options_of(v), &scene);
-    if (result != LOBE_RENDER_OK) return failed(result);
     lobe_app_progress progress = lobe_app_begin_progress(v->progress, source, "samples");
-    result = lobe_render(scene, render_options(v, &progress), &film, &statistics);
+    const lobe_render_result result =
+        lobe_render(scene, render_options(v, &progress), &film, &statistics);
     lobe_app_end_progress(&progress);
-    lobe_app_status status;
-    if (film)
-        status = finish_picture(v, source, film, &statistics);
-    else
-        status = failed(result);
+    if (!film) return failed(result);
+    lobe_app_status status = finish_picture(v, source, film, reference, &statistics);
     if (status == LOBE_APP_DONE && result == LOBE_RENDER_INTERRUPTED) status = LOBE_APP_INTERRUPTED;
     lobe_film_free(film);
+    return status;
+}
+
+static lobe_app_status render(const render_values *v, const char *source) {
+    lobe_film *reference = NULL;
+    lobe_scene *scene = NULL;
+    lobe_app_catch_interrupt();
+    lobe_app_status status = read_reference(v, &reference);
+    if (!status) {
+        const lobe_render_result result = lobe_scene_load(source, scene_options_of(v), &scene);
+        status =
+            result == LOBE_RENDER_OK ? render_scene(v, source, scene, reference) : failed(result);
+    }
     lobe_scene_free(scene);
+    lobe_film_free(reference);
     return status;
 }
 
@@ -262,6 +282,16 @@ static lobe_app_status check(const render_values *v, const lobe_app_arguments *a
         return lobe_app_reject("--spp", "use 1 to 16777216", "too many samples");
     if (v->depth > 1000000) return lobe_app_reject("--depth", "use 0 to 1000000", "too deep");
     if (v->threads > 1024) return lobe_app_reject("--threads", "use 1 to 1024", "too many threads");
+    if (!(fabs(v->exposure) <= 100))
+        return lobe_app_reject("--exposure", "use -100 to 100", "out of range");
+    if (!(fabs(v->rotation) <= 36000))
+        return lobe_app_reject("--env-rotate", "use degrees, at most 36000", "out of range");
+    for (int k = 0; k < 5; k++)
+        if (!(v->material[k] >= 0 && v->material[k] <= 1))
+            return lobe_app_reject("--material", "each number lies in [0, 1]", "out of range");
+    if (v->size.width < 1 || v->size.width > LOBE_RENDER_SIZE_MAX || v->size.height < 1 ||
+        v->size.height > LOBE_RENDER_SIZE_MAX)
+        return lobe_app_reject("--size", "use 1x1 to 32768x32768", "out of range");
     if (v->time_limit < 0) return lobe_app_reject("--time", "give seconds", "a negative time");
     return LOBE_APP_DONE;
 }

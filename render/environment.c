@@ -36,7 +36,7 @@ static vec3 sky_radiance(vec3 d) {
     const vec3 ground = {0.16f, 0.15f, 0.14f}, sun = {0.45f, 0.62f, 0.64f};
     float toward_sun = v3_dot(d, v3_normalize_or(sun, sun));
     float glow =
-        powf(fmaxf(toward_sun, 0.0f), 60.0f) * 1.5f + (toward_sun > 0.9985f ? 200.0f : 0.0f);
+        powf(fmaxf(toward_sun, 0.0f), 60.0f) * 3.0f + (toward_sun > 0.9985f ? 20.0f : 0.0f);
     vec3 sky = v3_lerp(horizon, zenith, powf(fmaxf(d.y, 0.0f), 0.45f));
     sky = v3_add(sky, v3_scale(v3(1.0f, 0.9f, 0.72f), glow));
     return v3_lerp(ground, sky, clampf(d.y * 150.0f + 0.5f, 0.0f, 1.0f));
