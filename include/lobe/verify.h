@@ -43,7 +43,7 @@ LOBE_BEGIN_C
 /* Probability that a full list of right models has a failure: chosen once, at a fixed seed. */
 #define LOBE_VERIFY_SIGNIFICANCE 1e-3
 
-/* quick: about 10^5 draws a case, seconds in all. full: 10^8 draws a case, finer bins, about half an
+/* quick: about 10^5 draws a case, seconds in all. full: 10^8 draws a case, finer bins, about an
  * hour on two cores. */
 typedef enum lobe_verify_level { LOBE_VERIFY_QUICK, LOBE_VERIFY_FULL } lobe_verify_level;
 
