@@ -4,7 +4,7 @@
 
 all:
 	@tools/setup.sh build
-	@cmake --preset release --log-level=NOTICE
+	@cmake --preset release --log-level=WARNING >/dev/null
 	@cmake --build --preset release --target lobe lobe_static lobe_shared
 
 demo: all
