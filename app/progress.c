@@ -32,14 +32,22 @@ static void print_json(const lobe_app_progress *progress, double seconds, double
     fprintf(stderr, "}\n");
 }
 
+/* "5.1 Mrows/s", "48 %/s" */
+static void print_rate(double rate, const char *unit) {
+    static const char *const prefixes[] = {"", "k", "M", "G"};
+    int i = 0;
+    for (; rate >= 1000 && i < 3; i++) rate /= 1000;
+    fprintf(stderr, "%.3g %s%s/s", rate, prefixes[i], unit);
+}
+
 static void print_bar(const lobe_app_progress *progress, double seconds, double fraction,
                       double work) {
-    const double rate = seconds > 0 ? work / seconds : 0;
     char bar[BAR_WIDTH + 1];
     for (int i = 0; i < BAR_WIDTH; i++) bar[i] = i < fraction * BAR_WIDTH ? '#' : '.';
     bar[BAR_WIDTH] = '\0';
-    fprintf(stderr, "\r\033[K%s [%s] %3.0f %%  %.3g M%s/s", progress->label, bar,
-            fraction > 0 ? 100 * fraction : 0, 1e-6 * rate, progress->unit);
+    fprintf(stderr, "\r\033[K%s [%s] %3.0f %%  ", progress->label, bar,
+            fraction > 0 ? 100 * fraction : 0);
+    print_rate(seconds > 0 ? work / seconds : 0, progress->unit);
     if (fraction > 0) {
         const int left = (int)fmin(seconds * (1 - fraction) / fraction, 1e6);
         fprintf(stderr, "  %d:%02d left", left / 60, left % 60);

@@ -1,16 +1,18 @@
 /* app/render.c: `lobe render`: path-trace a scene. */
-#include <inttypes.h>
+#include <errno.h>
+#include <limits.h>
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
-
-#include <jansson.h>
+#include <strings.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <lobe/render.h>
 
 #include "commands.h"
 #include "interrupt.h"
+#include "json.h"
 #include "model.h"
 #include "number.h"
 #include "options.h"
@@ -33,38 +35,41 @@ typedef struct render_values {
 
 static const char *const heuristics[] = {"balance", "power", "bsdf-only", "light-only", NULL};
 
+#define AOV_NAME(ID, name, channels, about) " " name
+#define AOV_NAMES LOBE_AOVS(AOV_NAME)
+
 static bool read_size(const lobe_app_option *option, const char *text, void *value) {
     picture_size *size = value;
     char extra;
     if (strspn(text, "0123456789x") == strlen(text) && strlen(text) < 12 &&
         sscanf(text, "%dx%d%c", &size->width, &size->height, &extra) == 2)
         return true;
-    lobe_app_reject(option->name, "give pixels as 960x540", "'%.40s' is not a size", text);
+    lobe_app_report(option->name, "give pixels as 960x540", "'%.40s' is not a size", text);
     return false;
 }
 
 static bool read_aovs(const lobe_app_option *option, const char *text, void *value) {
     uint32_t *bits = value;
     *bits = 0;
-    while (*text) {
+    for (;;) {
         char name[32] = {0};
         const size_t length = strcspn(text, ",");
         if (length < sizeof name) memcpy(name, text, length);
         const lobe_aov aov = lobe_aov_from_name(name);
         if (aov == LOBE_AOV_COUNT) {
-            lobe_app_reject(option->name, "known are albedo, normal, depth, rejected",
+            lobe_app_report(option->name, "known, with commas between, are" AOV_NAMES,
                             "'%.40s' is not a channel", text);
             return false;
         }
         *bits |= LOBE_AOV_BIT(aov);
-        text += length + (text[length] == ',');
+        if (text[length] == '\0') return true;
+        text += length + 1;
     }
-    return true;
 }
 
 static bool read_material(const lobe_app_option *option, const char *text, void *value) {
     if (lobe_app_read_numbers(text, 5, 5, value) == 5) return true;
-    lobe_app_reject(option->name, "give R,G,B,METALLIC,ROUGHNESS, each in [0, 1]",
+    lobe_app_report(option->name, "give R,G,B,METALLIC,ROUGHNESS, each in [0, 1]",
                     "'%.60s' is not a material", text);
     return false;
 }
@@ -76,8 +81,9 @@ static const lobe_app_option picture_options[] = {
      NULL},
     {"--size", "WxH", "960x540", "in pixels", read_size, AT(size), NULL},
     {"--spp", "N", "64", "camera paths a pixel", lobe_app_read_count, AT(spp), NULL},
-    {"--time", "S", "none", "seconds after which to stop with what is finished", lobe_app_read_f64,
-     AT(time_limit), NULL},
+    {"--time", "S", "none",
+     "seconds after which to stop with what is finished, if --spp is not reached before",
+     lobe_app_read_f64, AT(time_limit), NULL},
     {"--depth", "N", "8", "greatest number of surface scatterings on a path", lobe_app_read_u64,
      AT(depth), NULL},
     {"--seed", "S", "0", "of the random numbers, any whole number", lobe_app_read_u64, AT(seed),
@@ -86,7 +92,7 @@ static const lobe_app_option picture_options[] = {
      AT(threads), NULL},
     {"--exposure", "EV", "0", "stops, for the written picture", lobe_app_read_f64, AT(exposure),
      NULL},
-    {"--aov", "LIST", "none", "more channels for .exr: albedo,normal,depth,rejected", read_aovs,
+    {"--aov", "LIST", "none", "more channels for .exr, with commas between:" AOV_NAMES, read_aovs,
      AT(aovs), NULL},
     {"--camera", "NAME", "the first", "a camera of the file", lobe_app_read_name, AT(camera), NULL},
     {0}};
@@ -112,7 +118,7 @@ static const lobe_app_option method_options[] = {
      lobe_app_g2s},
     {"--normalization", "NAME", "unbiased", "of the densities behind a shading normal",
      lobe_app_read_choice, AT(normalization), lobe_app_normalizations},
-    {"--heuristic", "NAME", "power", "how light and surface samples are combined",
+    {"--heuristic", "NAME", "balance", "how light and surface samples are combined",
      lobe_app_read_choice, AT(heuristic), heuristics},
     {0}};
 
@@ -149,11 +155,20 @@ static lobe_app_status failed(lobe_render_result result) {
     return result == LOBE_RENDER_BAD_INPUT ? LOBE_APP_BAD_INPUT : LOBE_APP_FAILED;
 }
 
+/* What the progress callback needs. */
+typedef struct render_run {
+    double time_limit; /* seconds; 0: none */
+    lobe_app_progress progress;
+} render_run;
+
+/* Whichever of the samples and the time comes first ends the work. */
 static void show_progress(void *user, const lobe_render_progress *p) {
-    lobe_app_show_progress(user, p->fraction, (double)p->samples);
+    render_run *run = user;
+    const double time_share = run->time_limit > 0 ? fmin(p->seconds / run->time_limit, 1) : 0;
+    lobe_app_show_progress(&run->progress, fmax(p->fraction, time_share), (double)p->samples);
 }
 
-static lobe_render_options render_options(const render_values *v, lobe_app_progress *progress) {
+static lobe_render_options render_options(const render_values *v, render_run *run) {
     lobe_render_options r = lobe_render_default_options();
     r.ggx = (lobe_ggx_options){(lobe_method)v->method, (lobe_g2)v->g2,
                                (lobe_normalization)v->normalization};
@@ -168,7 +183,7 @@ static lobe_render_options render_options(const render_values *v, lobe_app_progr
     r.heuristic = (lobe_heuristic)v->heuristic;
     r.aovs = v->aovs;
     r.progress = show_progress;
-    r.progress_user = progress;
+    r.progress_user = run;
     r.cancel = &lobe_app_interrupted;
     return r;
 }
@@ -186,30 +201,38 @@ static lobe_scene_options scene_options_of(const render_values *v) {
     return s;
 }
 
+static json_t *json_statistics(const render_values *v, const char *scene,
+                               const lobe_render_statistics *st) {
+    return json_pack(
+        "{so ss si si si sI si sI sI sI sI so so so}", "scene", lobe_app_json_text(scene), "method",
+        lobe_method_name((lobe_method)v->method), "width", v->size.width, "height", v->size.height,
+        "spp", (int)st->pixel_samples, "samples", (json_int_t)st->samples, "threads", st->threads,
+        "rays", (json_int_t)st->rays, "draws", (json_int_t)st->ggx_draws, "rejected",
+        (json_int_t)st->ggx_rejected, "dropped", (json_int_t)st->dropped_samples, "rejected_share",
+        lobe_app_json_number(st->rejected_share), "seconds", lobe_app_json_number(st->seconds),
+        "cpu_seconds", lobe_app_json_number(st->cpu_seconds));
+}
+
+static json_t *json_error(const lobe_film_difference *d) {
+    return json_pack("{so so so so so}", "rmse", lobe_app_json_number(d->rmse), "relmse",
+                     lobe_app_json_number(d->relative_mse), "mean", lobe_app_json_number(d->mean),
+                     "mean_reference", lobe_app_json_number(d->mean_reference), "largest",
+                     lobe_app_json_number(d->largest));
+}
+
 /* What was measured, with the error against the reference if there is one. */
-static void print_statistics(const render_values *v, const char *scene,
-                             const lobe_render_statistics *st, const lobe_film_difference *d) {
-    if (!v->json) {
-        if (v->reference)
-            lobe_app_print("rmse %.6g, relative mse %.6g, mean %.6g of %.6g\n", d->rmse,
-                           d->relative_mse, d->mean, d->mean_reference);
-        return;
+static lobe_app_status print_statistics(const render_values *v, const char *scene,
+                                        const lobe_render_statistics *st,
+                                        const lobe_film_difference *d) {
+    if (v->json) {
+        json_t *object = json_statistics(v, scene, st);
+        if (object && v->reference) json_object_set_new(object, "error", json_error(d));
+        return lobe_app_print_json(object);
     }
-    json_t *o =
-        json_pack("{ss ss sI si sI sI sI sI sf sf sf}", "scene", scene, "method",
-                  lobe_method_name((lobe_method)v->method), "samples", (json_int_t)st->samples,
-                  "spp", (int)st->pixel_samples, "rays", (json_int_t)st->rays, "draws",
-                  (json_int_t)st->ggx_draws, "rejected", (json_int_t)st->ggx_rejected, "dropped",
-                  (json_int_t)st->dropped_samples, "rejected_share", st->rejected_share, "seconds",
-                  st->seconds, "cpu_seconds", st->cpu_seconds);
     if (v->reference)
-        json_object_set_new(o, "error",
-                            json_pack("{sf sf sf sf}", "rmse", d->rmse, "relmse", d->relative_mse,
-                                      "mean", d->mean, "mean_reference", d->mean_reference));
-    char *text = o ? json_dumps(o, JSON_COMPACT) : NULL;
-    if (text) lobe_app_print("%s\n", text);
-    free(text);
-    json_decref(o);
+        lobe_app_print("rmse %.6g, relative mse %.6g, mean %.6g of %.6g\n", d->rmse,
+                       d->relative_mse, d->mean, d->mean_reference);
+    return LOBE_APP_DONE;
 }
 
 /* The picture to compare with, read before the work; an empty `film` if none was asked for. */
@@ -236,18 +259,17 @@ static lobe_app_status finish_picture(const render_values *v, const char *scene,
     if (result == LOBE_RENDER_OK && reference)
         result = lobe_film_compare(film, reference, &difference);
     if (result != LOBE_RENDER_OK) return failed(result);
-    print_statistics(v, scene, st, &difference);
-    return LOBE_APP_DONE;
+    return print_statistics(v, scene, st, &difference);
 }
 
 static lobe_app_status render_scene(const render_values *v, const char *source,
                                     const lobe_scene *scene, const lobe_film *reference) {
     lobe_film *film = NULL;
     lobe_render_statistics statistics;
-    lobe_app_progress progress = lobe_app_begin_progress(v->progress, source, "samples");
+    render_run run = {v->time_limit, lobe_app_begin_progress(v->progress, "render", "samples")};
     const lobe_render_result result =
-        lobe_render(scene, render_options(v, &progress), &film, &statistics);
-    lobe_app_end_progress(&progress);
+        lobe_render(scene, render_options(v, &run), &film, &statistics);
+    lobe_app_end_progress(&run.progress);
     if (!film) return failed(result);
     lobe_app_status status = finish_picture(v, source, film, reference, &statistics);
     if (status == LOBE_APP_DONE && result == LOBE_RENDER_INTERRUPTED) status = LOBE_APP_INTERRUPTED;
@@ -270,14 +292,39 @@ static lobe_app_status render(const render_values *v, const char *source) {
     return status;
 }
 
+static bool ends_with(const char *path, const char *ending) {
+    const size_t length = strlen(path), tail = strlen(ending);
+    return length >= tail && strcasecmp(path + length - tail, ending) == 0;
+}
+
+/* What would make the picture impossible to write after all the work. */
+static lobe_app_status check_picture(const render_values *v) {
+    if (!lobe_film_can_write(v->out))
+        return lobe_app_reject(v->out, "end the name with .exr, .png, .hdr or .pfm",
+                               "unknown picture format");
+    if (v->aovs && !ends_with(v->out, ".exr"))
+        return lobe_app_reject("--aov", "end the name with .exr", "%.200s cannot hold channels",
+                               v->out);
+    struct stat status;
+    const bool exists = stat(v->out, &status) == 0;
+    const char *slash = strrchr(v->out, '/');
+    char folder[PATH_MAX] = ".";
+    if (slash) snprintf(folder, sizeof folder, "%.*s/", (int)(slash - v->out), v->out);
+    if (exists && S_ISDIR(status.st_mode))
+        errno = EISDIR;
+    else if (access(folder, W_OK | X_OK) == 0)
+        return LOBE_APP_DONE;
+    lobe_app_report(v->out, "choose another place", "cannot be written (%s)", strerror(errno));
+    return LOBE_APP_FAILED;
+}
+
 static lobe_app_status check(const render_values *v, const lobe_app_arguments *arguments) {
     if (!arguments->operand)
         return lobe_app_reject("render", "give a file or a name of --list-scenes", "no scene");
     if (!v->out && !v->reference && !v->json)
         return lobe_app_reject("-o", "give a file name, as -o picture.png", "no picture to write");
-    if (v->out && !lobe_film_can_write(v->out))
-        return lobe_app_reject(v->out, "end the name with .exr, .png, .hdr or .pfm",
-                               "unknown picture format");
+    if (v->aovs && !v->out)
+        return lobe_app_reject("--aov", "give -o FILE.exr", "no picture to hold the channels");
     if (v->spp > LOBE_RENDER_SAMPLES_MAX)
         return lobe_app_reject("--spp", "use 1 to 16777216", "too many samples");
     if (v->depth > 1000000) return lobe_app_reject("--depth", "use 0 to 1000000", "too deep");
@@ -293,7 +340,7 @@ static lobe_app_status check(const render_values *v, const lobe_app_arguments *a
         v->size.height > LOBE_RENDER_SIZE_MAX)
         return lobe_app_reject("--size", "use 1x1 to 32768x32768", "out of range");
     if (v->time_limit < 0) return lobe_app_reject("--time", "give seconds", "a negative time");
-    return LOBE_APP_DONE;
+    return v->out ? check_picture(v) : LOBE_APP_DONE;
 }
 
 lobe_app_status lobe_app_render(int argc, char **argv) {

@@ -1,14 +1,12 @@
 /* app/verify.c: `lobe verify`: prove every model and method by statistics. */
 #include <inttypes.h>
 #include <stdio.h>
-#include <stdlib.h>
-
-#include <jansson.h>
 
 #include <lobe/verify.h>
 
 #include "commands.h"
 #include "interrupt.h"
+#include "json.h"
 #include "options.h"
 #include "output.h"
 #include "progress.h"
@@ -50,25 +48,13 @@ typedef struct verify_run {
     lobe_app_progress progress;
 } verify_run;
 
-/* One JSON object as a line. */
-static void print_json(json_t *object) {
-    char *text = object ? json_dumps(object, JSON_COMPACT | JSON_PRESERVE_ORDER) : NULL;
-    if (text) lobe_app_print("%s\n", text);
-    free(text);
-    json_decref(object);
-}
-
-/* JSON has no NaN and no infinity: null. */
-static json_t *number(double x) {
-    return x - x == 0 ? json_real(x) : json_null();
-}
-
 static void print_test_json(const lobe_verify_test *t) {
-    print_json(json_pack("{ss ss ss ss ss so so so sb}", "model", t->model, "configuration",
-                         t->configuration, "test", t->test, "detail", t->detail, "kind",
-                         t->kind == LOBE_VERIFY_P_VALUE ? "p" : "error", "statistic",
-                         number(t->statistic), "value", number(t->value), "limit", number(t->limit),
-                         "passed", (int)t->passed));
+    lobe_app_print_json(json_pack("{ss ss ss ss ss so so so sb}", "model", t->model,
+                                  "configuration", t->configuration, "test", t->test, "detail",
+                                  t->detail, "kind", t->kind == LOBE_VERIFY_P_VALUE ? "p" : "error",
+                                  "statistic", lobe_app_json_number(t->statistic), "value",
+                                  lobe_app_json_number(t->value), "limit",
+                                  lobe_app_json_number(t->limit), "passed", (int)t->passed));
 }
 
 static void print_test(void *user, const lobe_verify_test *t) {
@@ -91,7 +77,8 @@ static int show_progress(void *user, double share) {
 
 static void print_case(void *user, const lobe_verify_case *c) {
     if (*(const bool *)user)
-        print_json(json_pack("{ss ss}", "model", c->model, "configuration", c->configuration));
+        lobe_app_print_json(
+            json_pack("{ss ss}", "model", c->model, "configuration", c->configuration));
     else
         lobe_app_print("%s %s\n", c->model, c->configuration);
 }
@@ -104,10 +91,10 @@ static lobe_app_status list_cases(const lobe_verify_options *verify, bool json) 
 
 static void print_summary(const lobe_verify_summary *summary, bool json) {
     if (json)
-        print_json(json_pack("{sI sI sI sI}", "cases", (json_int_t)summary->cases, "draws",
-                             (json_int_t)summary->draws, "passed",
-                             (json_int_t)summary->tests_passed, "failed",
-                             (json_int_t)summary->tests_failed));
+        lobe_app_print_json(json_pack("{sI sI sI sI}", "cases", (json_int_t)summary->cases, "draws",
+                                      (json_int_t)summary->draws, "passed",
+                                      (json_int_t)summary->tests_passed, "failed",
+                                      (json_int_t)summary->tests_failed));
     else
         lobe_app_print("%" PRIu64 " passed, %" PRIu64 " failed\n", summary->tests_passed,
                        summary->tests_failed);

@@ -39,7 +39,7 @@ lobe_render_options lobe_render_default_options(void) {
                                  .samples = 64,
                                  .depth = 8,
                                  .roulette_depth = 5,
-                                 .heuristic = LOBE_HEURISTIC_POWER};
+                                 .heuristic = LOBE_HEURISTIC_BALANCE};
 }
 
 /* What the threads share. */

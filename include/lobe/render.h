@@ -160,7 +160,7 @@ typedef struct lobe_render_options {
     int threads;          /* 0: as many as OpenMP offers; default 0 */
     double time_limit;    /* seconds, then stop with what is finished; 0: none; default 0 */
     const char *camera;   /* name of a camera of the file; NULL: its first, else framed */
-    lobe_heuristic heuristic; /* default LOBE_HEURISTIC_POWER */
+    lobe_heuristic heuristic; /* default LOBE_HEURISTIC_BALANCE */
     uint32_t aovs;            /* LOBE_AOV_BIT(…) of the extra channels to keep; default 0 */
     lobe_progress_function progress; /* NULL: none */
     void *progress_user;
