@@ -131,7 +131,8 @@ static lobe_app_status take_operand(const lobe_app_command *command, const char 
                                     lobe_app_arguments *arguments) {
     char hint[96];
     snprintf(hint, sizeof hint, "see lobe %s --help", command->name);
-    if (!command->operand) return lobe_app_reject(text, hint, "unexpected argument");
+    if (!command->operand || *text == '\0')
+        return lobe_app_reject(*text ? text : "''", hint, "unexpected argument");
     if (arguments->operand) return lobe_app_reject(text, hint, "a second %s", command->operand);
     arguments->operand = text;
     return LOBE_APP_DONE;

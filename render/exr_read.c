@@ -104,8 +104,9 @@ static void copy_half_line(vec3 *row, const ImfRgba *line, int width) {
 static lobe_render_result read_rgba(const char *path, image *picture) {
     ImfInputFile *file = ImfOpenInputFile(path);
     if (!file)
-        return lobe_fail(LOBE_RENDER_BAD_INPUT, "%s: not an OpenEXR picture that can be read (%s)",
-                         path, ImfErrorMessage());
+        return lobe_fail(LOBE_RENDER_BAD_INPUT,
+                         "%s: not an OpenEXR picture that can be read (%s); is it complete?", path,
+                         ImfErrorMessage());
     int x0, y0, x1, y1;
     ImfHeaderDataWindow(ImfInputHeader(file), &x0, &y0, &x1, &y1);
     int64_t width = (int64_t)x1 - x0 + 1, height = (int64_t)y1 - y0 + 1;
@@ -133,8 +134,9 @@ lobe_render_result lobe_image_read_exr(const char *path, image *picture) {
     settings.error_handler_fn = silent;
     exr_result_t status = exr_start_read(&file, path, &settings);
     if (status != EXR_ERR_SUCCESS)
-        return lobe_fail(LOBE_RENDER_BAD_INPUT, "%s: not an OpenEXR picture that can be read (%s)",
-                         path, exr_get_default_error_message(status));
+        return lobe_fail(LOBE_RENDER_BAD_INPUT,
+                         "%s: not an OpenEXR picture that can be read (%s); is it complete?", path,
+                         exr_get_default_error_message(status));
     exr_attr_box2i_t window;
     if (!core_can_read(file) || exr_get_data_window(file, 0, &window) != EXR_ERR_SUCCESS) {
         exr_finish(&file);

@@ -169,8 +169,8 @@ lobe_render_result lobe_film_write_exr(const lobe_film *film, output *out, float
         exr_result_t finished = file ? exr_finish(&file) : EXR_ERR_SUCCESS;
         if (status == EXR_ERR_SUCCESS) status = finished;
         if (status != EXR_ERR_SUCCESS)
-            result = lobe_fail(LOBE_RENDER_FAILED, "%s: cannot be encoded (%s)", out->path,
-                               exr_get_default_error_message(status));
+            result = lobe_fail(LOBE_RENDER_FAILED, "%s: cannot be encoded (%s); try another format",
+                               out->path, exr_get_default_error_message(status));
     }
     for (int i = 0; i < l.plane_count; i++) free(l.planes[i]);
     return result;

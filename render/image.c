@@ -34,6 +34,45 @@ int lobe_path_ends(const char *path, const char *ending) {
     return length >= tail && strcasecmp(path + length - tail, ending) == 0;
 }
 
+/* A file that never ends: after the last byte come line ends. At the end of a truncated .hdr stb_image
+ * (2.27) reads zeros, and a run of length zero keeps it there for ever; a line end finishes a header
+ * and is a run of length ten. */
+typedef struct endless_file {
+    FILE *file;
+    int is_past_end; /* more was wanted than there is */
+} endless_file;
+
+static int read_endless(void *user, char *data, int size) {
+    endless_file *source = user;
+    const size_t count = fread(data, 1, (size_t)size, source->file);
+    if (count > 0) return (int)count;
+    source->is_past_end = 1;
+    memset(data, '\n', (size_t)size);
+    return size;
+}
+
+static void skip_endless(void *user, int size) {
+    endless_file *source = user;
+    fseek(source->file, size, SEEK_CUR);
+}
+
+static int is_past_end(void *user) {
+    return ((endless_file *)user)->is_past_end;
+}
+
+/* NULL unless the file is whole. */
+static float *load_hdr(const char *path) {
+    const stbi_io_callbacks callbacks = {read_endless, skip_endless, is_past_end};
+    endless_file source = {fopen(path, "rb"), 0};
+    if (!source.file) return NULL;
+    int width, height, channels;
+    float *data = stbi_loadf_from_callbacks(&callbacks, &source, &width, &height, &channels, 3);
+    fclose(source.file);
+    if (!source.is_past_end) return data;
+    stbi_image_free(data);
+    return NULL;
+}
+
 static lobe_render_result read_stb(const char *path, image *picture) {
     int width, height, channels;
     if (!stbi_info(path, &width, &height, &channels))
@@ -48,7 +87,7 @@ static lobe_render_result read_stb(const char *path, image *picture) {
     float *data = NULL;
     unsigned char *bytes = NULL;
     if (stbi_is_hdr(path))
-        data = stbi_loadf(path, &width, &height, &channels, 3);
+        data = load_hdr(path);
     else
         bytes = stbi_load(path, &width, &height, &channels, 3);
     if (!data && !bytes)

@@ -48,8 +48,8 @@ lobe_render_result lobe_image_read_pfm(const char *path, image *picture) {
     if (fields != 4 || (kind != 'F' && kind != 'f') || width < 1 || height < 1 ||
         width > LOBE_RENDER_SIZE_MAX || height > LOBE_RENDER_SIZE_MAX || white == EOF ||
         (size_t)width * (size_t)height > LOBE_IMAGE_PIXELS_MAX)
-        result =
-            lobe_fail(LOBE_RENDER_BAD_INPUT, "%s: not a portable float map of usable size", path);
+        result = lobe_fail(LOBE_RENDER_BAD_INPUT,
+                           "%s: not a portable float map of usable size; is it complete?", path);
     else if (!lobe_image_create(picture, width, height))
         result = lobe_fail_memory(path);
     else if (!read_rows(file, picture, kind == 'F' ? 3 : 1, scale > 0.0f))
