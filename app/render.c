@@ -139,10 +139,16 @@ static render_values default_values(void) {
                            .material = {0.8, 0.8, 0.8, 0, 0.5}};
 }
 
-static lobe_app_status list_scenes(void) {
-    for (size_t i = 0; lobe_builtin_scene_name(i); i++)
-        lobe_app_print("%-15s%s\n", lobe_builtin_scene_name(i), lobe_builtin_scene_about(i));
-    return LOBE_APP_DONE;
+static lobe_app_status list_scenes(bool json) {
+    lobe_app_status status = LOBE_APP_DONE;
+    for (size_t i = 0; lobe_builtin_scene_name(i) && !status; i++) {
+        const char *name = lobe_builtin_scene_name(i), *about = lobe_builtin_scene_about(i);
+        if (json)
+            status = lobe_app_print_json(json_pack("{ss ss}", "name", name, "about", about));
+        else
+            lobe_app_print("%-15s%s\n", name, about);
+    }
+    return status;
 }
 
 static void print_warning(void *user, const char *message) {
@@ -271,7 +277,9 @@ static lobe_app_status render_scene(const render_values *v, const char *source,
         lobe_render(scene, render_options(v, &run), &film, &statistics);
     lobe_app_end_progress(&run.progress);
     if (!film) return failed(result);
-    lobe_app_status status = finish_picture(v, source, film, reference, &statistics);
+    lobe_app_status status = LOBE_APP_DONE;
+    if (statistics.samples > 0) /* else a black picture would replace an older one */
+        status = finish_picture(v, source, film, reference, &statistics);
     if (status == LOBE_APP_DONE && result == LOBE_RENDER_INTERRUPTED) status = LOBE_APP_INTERRUPTED;
     lobe_film_free(film);
     return status;
@@ -362,7 +370,7 @@ lobe_app_status lobe_app_render(int argc, char **argv) {
     lobe_app_arguments arguments;
     lobe_app_status status = lobe_app_parse(&command, argc, argv, &arguments);
     if (status || arguments.is_answered) return status;
-    if (values.list_scenes) return list_scenes();
+    if (values.list_scenes) return list_scenes(values.json);
     if ((status = check(&values, &arguments))) return status;
     return render(&values, arguments.operand);
 }

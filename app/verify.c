@@ -57,16 +57,21 @@ static void print_test_json(const lobe_verify_test *t) {
                                   lobe_app_json_number(t->limit), "passed", (int)t->passed));
 }
 
-static void print_test(void *user, const lobe_verify_test *t) {
-    const verify_run *run = user;
-    if (run->values->failures && t->passed) return;
-    if (run->values->json) {
-        print_test_json(t);
-        return;
-    }
+static void print_test_row(const lobe_verify_test *t) {
     lobe_app_print("%-6s %-20s %-48s %-13s %-5s %9.3g, limit %9.3g  %s\n",
                    t->passed ? "ok" : "FAILED", t->model, t->configuration, t->test,
                    t->kind == LOBE_VERIFY_P_VALUE ? "p" : "error", t->value, t->limit, t->detail);
+}
+
+static void print_test(void *user, const lobe_verify_test *t) {
+    verify_run *run = user;
+    if (run->values->failures && t->passed) return;
+    lobe_app_end_progress(&run->progress); /* the row takes the place of the bar */
+    if (run->values->json)
+        print_test_json(t);
+    else
+        print_test_row(t);
+    lobe_app_flush(); /* a full run takes half an hour: each row as soon as it is known */
 }
 
 static int show_progress(void *user, double share) {

@@ -6,6 +6,7 @@ import resource
 import signal
 import subprocess
 import tempfile
+import time
 from pathlib import Path
 
 from program import ERROR_LINE, PROGRAM, ProgramTest, main, run
@@ -64,6 +65,8 @@ class PictureTest(RenderTest):
     def test_built_in_scenes(self):
         names = [line.split()[0] for line in
                  self.done("render", "--list-scenes").decode().splitlines()]
+        lines = self.done("render", "--list-scenes", "--json").splitlines()
+        self.assertEqual([json.loads(line)["name"] for line in lines], names)
         self.assertLessEqual({"gallery", "furnace", "brushed", "normal-mapped", "cornell"}, set(names))
         pictures = {self.render("a.pfm", scene=name) for name in names}
         self.assertEqual(len(pictures), len(names))
@@ -161,6 +164,20 @@ class InterruptTest(RenderTest):
             self.assertEqual(process.wait(timeout=60), 130)
         self.assertTrue(Path(picture).read_bytes().startswith(MAGIC[".exr"]))
         self.assertEqual(os.listdir(self.folder), ["a.exr"])
+
+
+    def test_nothing_done_is_nothing_saved(self):
+        """An interrupt while a large scene is read leaves an older picture alone."""
+        picture = self.path("a.pfm", "old")
+        side = range(400)
+        rows = [f"v {x} {y} 0" for y in side for x in side]
+        rows += [f"f {i} {i + 1} {i + 401} {i + 400}" for i in range(1, 400 * 399) if i % 400]
+        scene = self.path("grid.obj", "\n".join(rows))
+        with subprocess.Popen([PROGRAM, "render", scene, *SMALL, "-o", picture]) as process:
+            time.sleep(0.15)
+            process.send_signal(signal.SIGINT)
+            self.assertIn(process.wait(timeout=60), (130, -signal.SIGINT))
+        self.assertEqual(Path(picture).read_bytes(), b"old")
 
 
 class ErrorTest(RenderTest):

@@ -1,7 +1,9 @@
 """lobe verify: table, last line, status; and that it says the same every time."""
 import json
+import signal
+import subprocess
 
-from program import ProgramTest, main, run
+from program import PROGRAM, ProgramTest, main, run
 
 FEW = ["--only", "caps f32*theta=60", "--draws", "20000"]
 
@@ -40,6 +42,16 @@ class VerifyTest(ProgramTest):
         self.assertTrue(all(line.startswith("FAILED slope-published") for line in lines[:-1]))
         right = run("verify", "--only", "slope" + case, *few)
         self.assertEqual(right.returncode, 0)
+
+    def test_interrupt(self):
+        """Ctrl-C prints what is done: whole rows, as many as the last line counts."""
+        with subprocess.Popen([PROGRAM, "verify", "--draws", "1000000", "--only", "caps"],
+                              stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
+            lines = [process.stdout.readline()]
+            process.send_signal(signal.SIGINT)
+            lines += process.stdout.readlines()
+            self.assertEqual((process.wait(timeout=60), process.stderr.read()), (130, b""))
+        self.assertEqual(lines.pop(), b"%d passed, 0 failed\n" % len(lines))
 
     def test_list(self):
         cases = self.done("verify", "--list").decode().splitlines()
