@@ -163,7 +163,9 @@ static light_sample draw_light(const lobe_scene *s, vec3 from, sampler_point poi
 static void add_drawn_light(path *p, const hit_point *h, const surface *surface) {
     const lobe_scene *s = p->k->scene;
     sampler_point point = lobe_sampler_next(p->points);
-    if (p->k->heuristic == LOBE_HEURISTIC_BSDF_ONLY || surface->ggx.is_mirror) return;
+    if (p->k->heuristic == LOBE_HEURISTIC_BSDF_ONLY) return;
+    /* nothing but a point mass; the base below a coat that is a mirror still sees the lamps */
+    if (surface->ggx.is_mirror && surface->specular >= 1.0f) return;
     if (!s->light_table.cells && sky_probability(s) == 0.0f) return;
     vec3 from = lift(h);
     light_sample l = draw_light(s, from, point);
