@@ -4,7 +4,7 @@ static const float COAT_IOR = 1.5f;
 
 /* Albedo of one row and column: the mean of weight times Fresnel over a regular square. */
 static float coat_albedo(float roughness, float cosine) {
-    enum { SIDE = 24 };
+    enum { SIDE = 16 };
     float alpha = roughness * roughness;
     lobe_vec3_f32 wi = {sqrtf(1.0f - cosine * cosine), 0.0f, cosine};
     lobe_ggx_f32 ggx = lobe_ggx_prepare_f32(lobe_ggx_default_options(), wi, alpha, alpha);
@@ -19,26 +19,64 @@ static float coat_albedo(float roughness, float cosine) {
     return (float)(sum / (SIDE * SIDE));
 }
 
+enum { COAT_CELLS = COAT_COLUMNS - 2 };
+
+/* Columns crowd toward grazing directions, where the albedo turns fastest: cosine = t |t|. */
+static float column_of(float cosine) {
+    float t = copysignf(sqrtf(fminf(fabsf(cosine), 1.0f)), cosine);
+    return 0.5f * (t + 1.0f) * COAT_CELLS;
+}
+
+static float column_cosine(int column) {
+    float t = 2.0f * (float)column / COAT_CELLS - 1.0f;
+    return t * fabsf(t);
+}
+
 void lobe_coat_table(float table[COAT_ROWS][COAT_COLUMNS]) {
-    const int cells = COAT_COLUMNS - 2;
     for (int r = 0; r < COAT_ROWS; r++) {
         float roughness = (float)r / (COAT_ROWS - 1), average = 0.0f;
-        for (int c = 0; c <= cells; c++)
-            table[r][c] = coat_albedo(roughness, fmaxf((float)c / (float)cells, 1e-3f));
-        /* 2 * integral of E mu dmu of the piecewise linear E, exactly */
-        for (int c = 0; c < cells; c++) {
-            float a = table[r][c], b = table[r][c + 1], low = (float)c, h = 1.0f / (float)cells;
-            average += 2.0f * h * h * (low * 0.5f * (a + b) + (a + 2.0f * b) / 6.0f);
+        for (int c = 0; c <= COAT_CELLS; c++)
+            table[r][c] = coat_albedo(roughness, column_cosine(c));
+        /* 2 * integral of E mu dmu over the front, by trapezia in mu^2 */
+        for (int c = COAT_CELLS / 2; c < COAT_CELLS; c++) {
+            float low = column_cosine(c), high = column_cosine(c + 1);
+            average += 0.5f * (table[r][c] + table[r][c + 1]) * (high * high - low * low);
         }
         table[r][COAT_COLUMNS - 1] = average;
     }
 }
 
-static float coat_at(const float *row, float cosine) {
-    const int cells = COAT_COLUMNS - 2;
-    float x = clampf(fabsf(cosine), 0.0f, 1.0f) * (float)cells;
-    int c = (int)fminf(x, (float)(cells - 1));
-    return row[c] + (x - (float)c) * (row[c + 1] - row[c]);
+/* The roughness that the Smith model sees along a direction: Lambda depends on nothing else. */
+static float roughness_toward(const lobe_ggx_f32 *ggx, vec3 d) {
+    float x = ggx->alpha_x * d.x, y = ggx->alpha_y * d.y, plane = d.x * d.x + d.y * d.y;
+    float squared = ggx->alpha_x * ggx->alpha_y;
+    if (ggx->alpha_x != ggx->alpha_y && plane > 1e-12f) squared = (x * x + y * y) / plane;
+    return sqrtf(sqrtf(squared));
+}
+
+/* Position on the roughness axis of the table: the lower row and the share of the next. */
+static int coat_row(float roughness, float *share) {
+    float y = clampf(roughness, 0.0f, 1.0f) * (COAT_ROWS - 1);
+    int row = (int)fminf(y, COAT_ROWS - 2);
+    *share = y - (float)row;
+    return row;
+}
+
+static float coat_at(const surface *s, vec3 d) {
+    float along, across = column_of(d.z);
+    int row = coat_row(roughness_toward(&s->ggx, d), &along);
+    int c = (int)fminf(across, COAT_CELLS - 1);
+    across -= (float)c;
+    const float *low = s->coat[row] + c, *high = s->coat[row + 1] + c;
+    float a = low[0] + across * (low[1] - low[0]), b = high[0] + across * (high[1] - high[0]);
+    return a + along * (b - a);
+}
+
+static float coat_average(const surface *s) {
+    float along;
+    int row = coat_row(sqrtf(sqrtf(s->ggx.alpha_x * s->ggx.alpha_y)), &along);
+    float a = s->coat[row][COAT_COLUMNS - 1], b = s->coat[row + 1][COAT_COLUMNS - 1];
+    return a + along * (b - a);
 }
 
 static vec3 fresnel(const surface *s, float cosine) {
@@ -67,10 +105,9 @@ surface lobe_surface_at(const surface_options *options, frame shading, vec3 geom
     float alpha = roughness * roughness;
     s.ggx = lobe_ggx_prepare_f32(options->ggx, wi, alpha * (1.0f + anisotropy),
                                  alpha * (1.0f - anisotropy));
-    int row = (int)(roughness * (COAT_ROWS - 1) + 0.5f);
-    s.coat = options->coat[row];
-    float coat_i = coat_at(s.coat, wi.z);
-    s.base_share_i = (1.0f - coat_i) / (LOBE_PI * fmaxf(1.0f - s.coat[COAT_COLUMNS - 1], 1e-3f));
+    s.coat = options->coat;
+    float coat_i = coat_at(&s, wi);
+    s.base_share_i = (1.0f - coat_i) / (LOBE_PI * (1.0f - coat_average(&s)));
     s.specular = specular_probability(&s, coat_i);
     return s;
 }
@@ -82,7 +119,7 @@ vec3 lobe_surface_value(const surface *s, vec3 direction, float *pdf) {
     lobe_ggx_eval_f32 e = lobe_ggx_eval_wo_f32(&s->ggx, wo);
     vec3 value = v3_scale(fresnel(s, e.cos_im), e.f_cos);
     *pdf = s->specular * e.pdf + (1.0f - s->specular) * wo.z / LOBE_PI;
-    float share = (1.0f - s->metallic) * s->base_share_i * (1.0f - coat_at(s->coat, wo.z)) * wo.z;
+    float share = (1.0f - s->metallic) * s->base_share_i * (1.0f - coat_at(s, wo)) * wo.z;
     return v3_add(value, v3_scale(s->base_color, share));
 }
 
