@@ -52,12 +52,10 @@ int lobe_scene_add_texture(lobe_scene *s, texture t) {
     return (int)append_texture(s, t);
 }
 
-void lobe_scene_add_camera(lobe_scene *s, const char *name, vec3 position, vec3 target,
+void lobe_scene_add_camera(lobe_scene *s, const char *name, vec3 position, vec3 target, vec3 up,
                            float vertical_degrees) {
-    camera c = {.position = position,
-                .target = target,
-                .up = {0.0f, 1.0f, 0.0f},
-                .vertical_degrees = vertical_degrees};
+    camera c = {
+        .position = position, .target = target, .up = up, .vertical_degrees = vertical_degrees};
     snprintf(c.name, sizeof c.name, "%s", name);
     append_camera(s, c);
 }
@@ -150,7 +148,8 @@ static void frame_automatically(lobe_scene *s) {
     vec3 centre = v3_lerp(s->low, s->high, 0.5f);
     float radius = fmaxf(0.5f * v3_length(v3_sub(s->high, s->low)), 1e-6f);
     vec3 from = v3_normalize_or(v3(0.45f, 0.35f, 1.0f), v3(0.0f, 0.0f, 1.0f));
-    lobe_scene_add_camera(s, "", v3_add(centre, v3_scale(from, 2.6f * radius)), centre, 38.0f);
+    lobe_scene_add_camera(s, "", v3_add(centre, v3_scale(from, 2.6f * radius)), centre,
+                          v3(0.0f, 1.0f, 0.0f), 38.0f);
 }
 
 static void add_ground(lobe_scene *s) {

@@ -67,7 +67,7 @@ uint32_t lobe_scene_add_material(lobe_scene *s, material m);
 uint32_t lobe_scene_add_vertex(lobe_scene *s, vertex v);
 void lobe_scene_add_triangle(lobe_scene *s, uint32_t a, uint32_t b, uint32_t c, uint32_t material);
 int lobe_scene_add_texture(lobe_scene *s, texture t);
-void lobe_scene_add_camera(lobe_scene *s, const char *name, vec3 position, vec3 target,
+void lobe_scene_add_camera(lobe_scene *s, const char *name, vec3 position, vec3 target, vec3 up,
                            float vertical_degrees);
 material lobe_default_material(void);
 

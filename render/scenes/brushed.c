@@ -17,5 +17,6 @@ void lobe_scene_brushed(lobe_scene *s) {
         lobe_shape_cylinder(s, along, v3(x + 0.9f, 0.0f, 1.3f), 0.3f, 0.6f);
         lobe_shape_disk(s, along, v3(x + 0.9f, 0.6f, 1.3f), 0.3f);
     }
-    lobe_scene_add_camera(s, "brushed", v3(0.6f, 3.2f, 6.4f), v3(0.3f, 0.65f, 0.2f), 34.0f);
+    lobe_scene_add_camera(s, "brushed", v3(0.6f, 3.2f, 6.4f), v3(0.3f, 0.65f, 0.2f),
+                          v3(0.0f, 1.0f, 0.0f), 34.0f);
 }

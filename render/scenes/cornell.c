@@ -49,5 +49,6 @@ void lobe_scene_cornell(lobe_scene *s) {
     add_block(s, metal, v3(-0.75f, 0.0f, -0.55f), 0.6f, 1.15f, 0.3f);
     uint32_t coated = lobe_shape_material(s, v3(0.20f, 0.35f, 0.65f), 0.0f, 0.2f, 0.0f);
     lobe_shape_sphere(s, coated, v3(0.42f, 0.38f, 0.25f), 0.38f, 192);
-    lobe_scene_add_camera(s, "cornell", v3(0.0f, 1.0f, 3.3f), v3(0.0f, 1.0f, 0.0f), 46.0f);
+    lobe_scene_add_camera(s, "cornell", v3(0.0f, 1.0f, 3.3f), v3(0.0f, 1.0f, 0.0f),
+                          v3(0.0f, 1.0f, 0.0f), 46.0f);
 }

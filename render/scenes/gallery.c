@@ -44,5 +44,6 @@ void lobe_scene_gallery(lobe_scene *s) {
     lobe_shape_disk(s, plate, v3(3.85f, 1.0f, 0.75f), 0.32f);
     add_metals(s);
     add_dielectrics(s);
-    lobe_scene_add_camera(s, "gallery", v3(0.35f, 1.9f, 8.6f), v3(0.3f, 0.55f, 0.0f), 32.0f);
+    lobe_scene_add_camera(s, "gallery", v3(0.35f, 1.9f, 8.6f), v3(0.3f, 0.55f, 0.0f),
+                          v3(0.0f, 1.0f, 0.0f), 32.0f);
 }

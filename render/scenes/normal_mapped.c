@@ -45,5 +45,6 @@ void lobe_scene_normal_mapped(lobe_scene *s) {
     uint32_t floor = lobe_shape_material(s, v3_all(0.35f), 0.0f, 0.7f, 0.0f);
     lobe_shape_quad(s, floor, v3(-900.0f, 0.0f, 900.0f), v3(1800.0f, 0.0f, 0.0f),
                     v3(0.0f, 0.0f, -1800.0f));
-    lobe_scene_add_camera(s, "normal-mapped", v3(-5.2f, 2.2f, 2.4f), v3(0.2f, 1.7f, 0.0f), 40.0f);
+    lobe_scene_add_camera(s, "normal-mapped", v3(-5.2f, 2.2f, 2.4f), v3(0.2f, 1.7f, 0.0f),
+                          v3(0.0f, 1.0f, 0.0f), 40.0f);
 }
