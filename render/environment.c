@@ -2,6 +2,24 @@
 
 #include <stdlib.h>
 
+/* Radiance between texels is interpolated; beyond the poles it stays what it is. */
+static vec3 texel_at(const image *p, int x, int y) {
+    x = x < 0 ? x + p->width : x >= p->width ? x - p->width : x;
+    y = y < 0 ? 0 : y >= p->height ? p->height - 1 : y;
+    return p->pixels[(size_t)y * (size_t)p->width + (size_t)x];
+}
+
+/* Mean luminance of the interpolated radiance over a texel: never 0 where light comes from. */
+static double texel_power(const image *p, int x, int y) {
+    static const double share[3] = {0.125, 0.75, 0.125};
+    double sum = 0.0;
+    for (int dy = -1; dy <= 1; dy++)
+        for (int dx = -1; dx <= 1; dx++)
+            sum +=
+                share[dx + 1] * share[dy + 1] * (double)v3_luminance(texel_at(p, x + dx, y + dy));
+    return sum;
+}
+
 int lobe_environment_create(environment *e, image picture, float rotation_degrees) {
     float radians = rotation_degrees * (LOBE_PI / 180.0f);
     *e = (environment){.picture = picture, .sine = sinf(radians), .cosine = cosf(radians)};
@@ -12,7 +30,7 @@ int lobe_environment_create(environment *e, image picture, float rotation_degree
         double sine = sin(3.14159265358979323846 * (y + 0.5) / picture.height);
         for (int x = 0; x < picture.width; x++) {
             size_t i = (size_t)y * (size_t)picture.width + (size_t)x;
-            weights[i] = (double)v3_luminance(picture.pixels[i]) * sine;
+            weights[i] = texel_power(&picture, x, y) * sine;
         }
     }
     int ok = lobe_alias_create(&e->table, weights, (uint32_t)count);
@@ -62,22 +80,26 @@ static vec3 rotate(const environment *e, vec3 d, float sine) {
     return v3(d.x * e->cosine + d.z * sine, d.y, d.z * e->cosine - d.x * sine);
 }
 
-/* The texel that a direction (world) falls into. */
-static size_t texel_of(const environment *e, vec3 world, float *sine) {
+/* Where a direction (world) lies on the picture, in texels, each within the picture. */
+static void place_of(const environment *e, vec3 world, float *x, float *y, float *sine) {
     vec3 d = rotate(e, world, -e->sine);
-    const image *p = &e->picture;
     float u = 0.5f + atan2f(d.z, d.x) / (2.0f * LOBE_PI);
     float v = acosf(clampf(d.y, -1.0f, 1.0f)) / LOBE_PI;
-    int x = (int)(u * (float)p->width), y = (int)(v * (float)p->height);
-    x = x < 0 ? 0 : x >= p->width ? p->width - 1 : x;
-    y = y < 0 ? 0 : y >= p->height ? p->height - 1 : y;
+    *x = clampf(u * (float)e->picture.width, 0.0f, (float)e->picture.width);
+    *y = clampf(v * (float)e->picture.height, 0.0f, (float)e->picture.height);
     *sine = sinf(LOBE_PI * v);
-    return (size_t)y * (size_t)p->width + (size_t)x;
 }
 
 vec3 lobe_environment_at(const environment *e, vec3 direction) {
-    float sine;
-    return e->picture.pixels[texel_of(e, direction, &sine)];
+    float x, y, sine;
+    place_of(e, direction, &x, &y, &sine);
+    float left = floorf(x - 0.5f), top = floorf(y - 0.5f);
+    float right_share = x - 0.5f - left, low_share = y - 0.5f - top;
+    int i = (int)left, j = (int)top;
+    const image *p = &e->picture;
+    vec3 upper = v3_lerp(texel_at(p, i, j), texel_at(p, i + 1, j), right_share);
+    vec3 lower = v3_lerp(texel_at(p, i, j + 1), texel_at(p, i + 1, j + 1), right_share);
+    return v3_lerp(upper, lower, low_share);
 }
 
 static float density(const environment *e, float share, float sine) {
@@ -87,8 +109,11 @@ static float density(const environment *e, float share, float sine) {
 
 float lobe_environment_pdf(const environment *e, vec3 direction) {
     if (!e->table.cells) return 0.0f;
-    float sine;
-    size_t i = texel_of(e, direction, &sine);
+    float x, y, sine;
+    place_of(e, direction, &x, &y, &sine);
+    int column = (int)fminf(x, (float)(e->picture.width - 1));
+    int row = (int)fminf(y, (float)(e->picture.height - 1));
+    size_t i = (size_t)row * (size_t)e->picture.width + (size_t)column;
     return density(e, e->table.cells[i].share, sine);
 }
 

@@ -56,9 +56,18 @@ static void environment_lies_where_it_should(void **state) {
         float pdf;
         vec3 d = lobe_environment_draw(&e, r.word, &pdf);
         assert_true(fabsf(lobe_environment_pdf(&e, d) / pdf - 1.0f) < 0.05f);
-        hits += d.z > 0.99f;
+        /* the bright texel and those it is interpolated with: within two texels, 0.2 radians */
+        hits += d.z > 0.95f;
     }
     assert_true(hits > 900);
+    /* its centre is as bright as it is, half a texel aside it is the mean with the next one */
+    const float step = 3.14159265f / 32;
+    for (int halves = 0; halves < 2; ++halves) {
+        float azimuth = (48.5f + 0.5f * (float)halves) * step - 3.14159265f, polar = 16.5f * step;
+        vec3 d = {sinf(polar) * cosf(azimuth), cosf(polar), sinf(polar) * sinf(azimuth)};
+        float expected = halves ? 0.5f * (1000.0f + 0.01f) : 1000.0f;
+        assert_true(fabsf(lobe_environment_at(&e, d).x / expected - 1.0f) < 1e-3f);
+    }
     lobe_environment_free(&e);
 }
 
