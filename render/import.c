@@ -19,6 +19,7 @@ typedef struct importer {
     const struct aiScene *file;
     const lobe_scene_options *options;
     const char *path;
+    int is_gltf;
     uint32_t first_material;
     texture_reader textures;
 } importer;
@@ -61,15 +62,19 @@ static material fallback_material(const lobe_scene_options *o) {
     return m;
 }
 
-static int is_fallback(const struct aiMaterial *m) {
+/* The material that the importer puts where the file names none: in glTF one more, after the file's. */
+static int is_fallback(const importer *k, unsigned index) {
+    if (k->is_gltf) return index + 1 == k->file->mNumMaterials;
     struct aiString name;
-    return aiGetMaterialString(m, AI_MATKEY_NAME, &name) != aiReturn_SUCCESS ||
+    return aiGetMaterialString(k->file->mMaterials[index], AI_MATKEY_NAME, &name) ==
+               aiReturn_SUCCESS &&
            strcmp(name.data, AI_DEFAULT_MATERIAL_NAME) == 0;
 }
 
-static material read_material(importer *k, const struct aiMaterial *from) {
+static material read_material(importer *k, unsigned index) {
+    const struct aiMaterial *from = k->file->mMaterials[index];
     material m = fallback_material(k->options);
-    if (is_fallback(from)) return m;
+    if (is_fallback(k, index)) return m;
     vec3 diffuse = read_color(from, "$clr.diffuse", m.base_color);
     m.base_color = clamp_color(read_color(from, "$clr.base", diffuse));
     m.metallic = clampf(read_float(from, "$mat.metallicFactor", m.metallic), 0.0f, 1.0f);
@@ -127,7 +132,7 @@ static void read_mesh(importer *k, const struct aiMesh *mesh) {
 static lobe_render_result read_scene(importer *k) {
     k->first_material = k->scene->material_count;
     for (unsigned i = 0; i < k->file->mNumMaterials; i++)
-        lobe_scene_add_material(k->scene, read_material(k, k->file->mMaterials[i]));
+        lobe_scene_add_material(k->scene, read_material(k, i));
     if (k->file->mNumMaterials == 0)
         lobe_scene_add_material(k->scene, fallback_material(k->options));
     for (unsigned i = 0; i < k->file->mNumMeshes; i++) read_mesh(k, k->file->mMeshes[i]);
@@ -155,10 +160,10 @@ lobe_render_result lobe_scene_import(lobe_scene *s, const char *path,
                            aiProcess_CalcTangentSpace | aiProcess_PreTransformVertices |
                            aiProcess_SortByPType;
     importer k = {.scene = s, .options = options, .path = path};
+    k.is_gltf = lobe_path_ends(path, ".gltf") || lobe_path_ends(path, ".glb");
     k.file = aiImportFile(path, aiProcess_ValidateDataStructure);
     if (k.file) {
-        lobe_import_cameras(s, k.file,
-                            lobe_path_ends(path, ".gltf") || lobe_path_ends(path, ".glb"));
+        lobe_import_cameras(s, k.file, k.is_gltf);
         k.file = aiApplyPostProcessing(k.file, steps);
     }
     if (!k.file) {

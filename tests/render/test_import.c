@@ -31,7 +31,7 @@ static void write_square(const char *camera, const char *nodes, const char *more
             "\"aspectRatio\":2}}],"
             "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0,\"NORMAL\":1,"
             "\"TEXCOORD_0\":2},\"indices\":3,\"material\":0}]}],"
-            "\"materials\":[{\"name\":\"m\",\"pbrMetallicRoughness\":{\"baseColorTexture\":"
+            "\"materials\":[{\"pbrMetallicRoughness\":{\"baseColorTexture\":"
             "{\"index\":0}},\"normalTexture\":{\"index\":1}}],"
             "\"textures\":[{\"source\":0},{\"source\":1}],"
             "\"images\":[{\"uri\":\"render-top%%20red.ppm\"},{\"uri\":\"render-up.ppm\"}],"
