@@ -313,6 +313,10 @@ static lobe_app_status check_picture(const render_values *v) {
     if (v->aovs && !ends_with(v->out, ".exr"))
         return lobe_app_reject("--aov", "end the name with .exr", "%.200s cannot hold channels",
                                v->out);
+    if ((int64_t)v->size.width * v->size.height > LOBE_FILM_PNG_PIXELS_MAX &&
+        ends_with(v->out, ".png"))
+        return lobe_app_reject("--size", "end the name with .exr, .hdr or .pfm",
+                               "too large for .png");
     struct stat status;
     const bool exists = stat(v->out, &status) == 0;
     const char *slash = strrchr(v->out, '/');

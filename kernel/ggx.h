@@ -95,6 +95,23 @@ K_FN ggx_base ggx_base_of(v3 wi, real alpha_x, real alpha_y, bool separable, boo
     return g;
 }
 
+/* The direction of i_std in the plane, and its length there; +x where it has none. */
+K_STRUCT(ggx_azimuth) {
+    real x;
+    real y;
+    real rho;
+};
+
+K_FN ggx_azimuth ggx_azimuth_of(ggx_base g) {
+    bool off_normal = g.rho2 > K_TINY;
+    ggx_azimuth a;
+    a.rho = k_select(off_normal, k_sqrt(k_max(g.rho2, K_TINY)), R(0.0));
+    real inv_rho = R(1.0) / k_max(a.rho, K_TINY);
+    a.x = k_select(off_normal, g.i_std.x * inv_rho, R(1.0));
+    a.y = k_select(off_normal, g.i_std.y * inv_rho, R(0.0));
+    return a;
+}
+
 /* D of a unit m */
 K_FN real ggx_d(v3 m, real ax, real ay) {
     real x = m.x / ax;

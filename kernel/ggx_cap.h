@@ -41,12 +41,17 @@ K_FN real ggx_cap_acceptance(ggx_cap s) {
     return ggx_visible_acceptance(s.g, s.w);
 }
 
-K_FN ggx_draw ggx_cap_draw(ggx_cap s, real u1, real u2) {
+/* The stretched normal, of any length. */
+K_FN v3 ggx_cap_half_vector(ggx_cap s, real u1, real u2) {
     k_sincos phi = k_sincos_2pi(u1);
     real depth = u2 * s.w;
     real rise = (R(1.0) - u2) * s.w;
     real radius = k_sqrt(depth * (rise + s.rest));
-    v3 h = v3_of(s.g.i_std.x + radius * phi.c, s.g.i_std.y + radius * phi.s, rise + s.spare);
+    return v3_of(s.g.i_std.x + radius * phi.c, s.g.i_std.y + radius * phi.s, rise + s.spare);
+}
+
+K_FN ggx_draw ggx_cap_draw(ggx_cap s, real u1, real u2) {
+    v3 h = ggx_cap_half_vector(s, u1, u2);
     return ggx_visible_draw(s.g, ggx_pair_of_stretched(s.g, h), s.w);
 }
 

@@ -10,19 +10,13 @@
 
 K_STRUCT(ggx_ellipsoid) {
     ggx_base g;
-    real azimuth_x; /* direction of i_std in the plane */
-    real azimuth_y;
-    real rho;
+    ggx_azimuth azimuth;
 };
 
 K_FN ggx_ellipsoid ggx_ellipsoid_prepare(ggx_base g) {
     ggx_ellipsoid s;
-    bool off_normal = g.rho2 > K_TINY;
     s.g = g;
-    s.rho = k_select(off_normal, k_sqrt(k_max(g.rho2, K_TINY)), R(0.0));
-    real inv_rho = R(1.0) / k_max(s.rho, K_TINY);
-    s.azimuth_x = k_select(off_normal, g.i_std.x * inv_rho, R(0.0));
-    s.azimuth_y = k_select(off_normal, g.i_std.y * inv_rho, R(-1.0));
+    s.azimuth = ggx_azimuth_of(g);
     return s;
 }
 
@@ -54,11 +48,18 @@ K_FN ggx_draw ggx_ellipsoid_draw(ggx_ellipsoid s, real u1, real u2, real u3) {
     real rest = R(0.5) * s.g.one_minus_z;
     real y = rest * half_width + squeeze * t;
     real i_h = k_sqrt(squeeze * above * (R(2.0) * rest * half_width + squeeze * below));
-    v3 across_x = v3_of(-s.azimuth_y, s.azimuth_x, R(0.0));
-    v3 across_y = v3_of(-s.g.i_std.z * s.azimuth_x, -s.g.i_std.z * s.azimuth_y, s.rho);
+    v3 across_x = v3_of(-s.azimuth.y, s.azimuth.x, R(0.0));
+    v3 across_y = v3_of(-s.g.i_std.z * s.azimuth.x, -s.g.i_std.z * s.azimuth.y, s.azimuth.rho);
     v3 h = v3_combine(across_x, x, across_y, y, s.g.i_std, i_h);
     h.z = k_max(h.z, R(0.0));
     return ggx_visible_draw(s.g, ggx_pair_of_stretched(s.g, h), s.g.one_plus_z);
 }
+
+/* Worst errors of a draw in float, 2 10^7 random inputs (tools/numerics/sampler_error.c: roughness
+ * 0.01 to 2, u2 up to 0.98, either side).
+ * wo:  5.9e-05 at wi (0x1.2adb46p-1, 0x1.f4a1d2p-2, -0x1.4beb6cp-1),
+ *      alpha (0x1.6069dcp-5, 0x1.69d928p+0) u (0x1.ffc8ccp-1, 0x1.03222ap-1)
+ * pdf: 1.2e-06 relative at wi (-0x1.967aa8p-1, -0x1.0a946ap-1, -0x1.419558p-2),
+ *      alpha (0x1.0fd61ap+0, 0x1.0fd61ap+0) u (0x1.e87254p-2, 0x1.572904p-1) */
 
 #endif

@@ -39,4 +39,12 @@ K_FN real ggx_ndf_acceptance(ggx_ndf s) {
     return R(-1.0);
 }
 
+/* Worst errors of a draw in float, 2 10^7 random inputs (tools/numerics/sampler_error.c: roughness
+ * 0.01 to 2, u2 up to 0.98, either side). The density is
+ * D m_z/(4 i.m): from behind i.m is small and its rounding is what shows.
+ * wo:  7.1e-07 at wi (-0x1.7b3258p-1, 0x1.6cbb32p-4, 0x1.54fddep-1),
+ *      alpha (0x1.2ac13ep+0, 0x1.de2accp-3) u (0x1.46cb06p-1, 0x1.69db22p-2)
+ * pdf: 0.0088 relative at wi (0x1.af97bap-1, -0x1.ebd78p-2, -0x1.f04d2p-3),
+ *      alpha (0x1.90086ep+0, 0x1.b15fd6p-1) u (0x1.f365d2p-1, 0x1.69e194p-1) */
+
 #endif

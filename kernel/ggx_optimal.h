@@ -11,10 +11,9 @@
 #ifndef K_GGX_OPTIMAL_H
 #define K_GGX_OPTIMAL_H
 
-#include "ggx_visible.h"
-#include "trig.h"
+#include "ggx_cap.h"
 
-/* Halley steps: area within 1.001 of the optimum (tools/numerics/optimal_area.c). */
+/* Halley steps: area within 1.001 of the optimum (tests/kernel/optimal_template.h). */
 #define GGX_OPTIMAL_STEPS 5
 
 K_STRUCT(ggx_optimal) {
@@ -22,7 +21,8 @@ K_STRUCT(ggx_optimal) {
     v3 axis;
     v3 across_x;
     v3 across_y;
-    real w; /* 1 - kappa */
+    real w;     /* 1 - kappa */
+    bool tilts; /* else: the cap of the visible normals, about z */
 };
 
 /* What the cap's free scalar needs: everything in the frame (e1, e2, i_std). */
@@ -40,11 +40,10 @@ K_STRUCT(ggx_optimal_frame) {
 /* A^2 restricted to the plane across i_std, diagonalised. In the basis t1 = (-y, x, 0), t2 = i x t1
  * (x, y the azimuth of i_std) every entry is a sum of positive terms or a product. */
 K_FN ggx_optimal_frame ggx_optimal_frame_of(ggx_base g) {
-    bool off_normal = g.rho2 > K_TINY;
-    real rho = k_select(off_normal, k_sqrt(k_max(g.rho2, K_TINY)), R(0.0));
-    real inv_rho = R(1.0) / k_max(rho, K_TINY);
-    real x = k_select(off_normal, g.i_std.x * inv_rho, R(1.0));
-    real y = k_select(off_normal, g.i_std.y * inv_rho, R(0.0));
+    ggx_azimuth azimuth = ggx_azimuth_of(g);
+    real rho = azimuth.rho;
+    real x = azimuth.x;
+    real y = azimuth.y;
     real z = g.i_std.z;
     real ax2 = g.ax * g.ax;
     real ay2 = g.ay * g.ay;
@@ -147,7 +146,9 @@ K_FN ggx_optimal ggx_optimal_prepare(ggx_base g) {
     /* from behind, and where rounding spoils a grazing case: the cap of the visible normals */
     bool tilts = g.i_std.z > R(0.0) && w > R(0.0) && w < g.one_plus_z;
     v3 axis = v3_select(tilts, v3_scale(a, inv_norm), v3_of(R(0.0), R(0.0), R(1.0)));
-    return ggx_optimal_with_axis(g, axis, k_select(tilts, w, g.one_plus_z));
+    ggx_optimal s = ggx_optimal_with_axis(g, axis, k_select(tilts, w, g.one_plus_z));
+    s.tilts = tilts;
+    return s;
 }
 
 K_FN real ggx_optimal_pdf(ggx_optimal s, ggx_pair pair) {
@@ -163,14 +164,27 @@ K_FN real ggx_optimal_acceptance(ggx_optimal s) {
     return ggx_visible_acceptance(s.g, s.w);
 }
 
-K_FN ggx_draw ggx_optimal_draw(ggx_optimal s, real u1, real u2, real u3) {
+K_FN v3 ggx_optimal_half_vector(ggx_optimal s, real u1, real u2) {
     k_sincos phi = k_sincos_2pi(u1);
     real depth = u2 * s.w;
     real radius = k_sqrt(depth * (R(2.0) - depth));
     v3 o =
         v3_combine(s.across_x, radius * phi.c, s.across_y, radius * phi.s, s.axis, R(1.0) - depth);
-    v3 h = v3_add(s.g.i_std, o);
+    return v3_add(s.g.i_std, o);
+}
+
+K_FN ggx_draw ggx_optimal_draw(ggx_optimal s, real u1, real u2, real u3) {
+    /* from behind the cap is small and opposite to i: there only the form about z does not cancel */
+    v3 about_z = ggx_cap_half_vector(ggx_cap_of(s.g, R(0.0)), u1, u2);
+    v3 h = v3_select(s.tilts, ggx_optimal_half_vector(s, u1, u2), about_z);
     return ggx_visible_draw(s.g, ggx_pair_of_stretched(s.g, h), s.w);
 }
+
+/* Worst errors of a draw in float, 2 10^7 random inputs (tools/numerics/sampler_error.c: roughness
+ * 0.01 to 2, u2 up to 0.98, either side).
+ * wo:  1.7e-05 at wi (0x1.f82b86p-1, -0x1.52018cp-3, 0x1.c9158p-5),
+ *      alpha (0x1.b9e8ep+0, 0x1.9c9b14p-7) u (0x1.f5028p-2, 0x1.f27ae4p-1)
+ * pdf: 1.2e-06 relative at wi (-0x1.511b14p-1, -0x1.61bc56p-1, -0x1.31c6b8p-2),
+ *      alpha (0x1.185daep-5, 0x1.185daep-5) u (0x1.bbf3fep-1, 0x1.55ba56p-2) */
 
 #endif

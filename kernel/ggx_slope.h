@@ -15,19 +15,13 @@
 
 K_STRUCT(ggx_slope) {
     ggx_base g;
-    real sin_t;
-    real azimuth_x;
-    real azimuth_y;
+    ggx_azimuth azimuth; /* rho = sin t */
 };
 
 K_FN ggx_slope ggx_slope_prepare(ggx_base g) {
     ggx_slope s;
-    bool off_normal = g.rho2 > K_TINY;
     s.g = g;
-    s.sin_t = k_select(off_normal, k_sqrt(k_max(g.rho2, K_TINY)), R(0.0));
-    real inv_rho = R(1.0) / k_max(s.sin_t, K_TINY);
-    s.azimuth_x = k_select(off_normal, g.i_std.x * inv_rho, R(1.0));
-    s.azimuth_y = k_select(off_normal, g.i_std.y * inv_rho, R(0.0));
+    s.azimuth = ggx_azimuth_of(g);
     return s;
 }
 
@@ -55,8 +49,8 @@ K_FN ggx_slope_along ggx_slope_along_of(ggx_slope s, real u1) {
     real a = u1 * s.g.one_plus_z - s.g.i_std.z;
     real cos_sum = k_sqrt(one_minus_a * one_plus_a);
     ggx_slope_along x;
-    x.s = a * s.g.i_std.z - cos_sum * s.sin_t;
-    x.c = k_max(cos_sum * s.g.i_std.z + a * s.sin_t, R(0.0));
+    x.s = a * s.g.i_std.z - cos_sum * s.azimuth.rho;
+    x.c = k_max(cos_sum * s.g.i_std.z + a * s.azimuth.rho, R(0.0));
     return x;
 }
 
@@ -64,8 +58,8 @@ K_FN ggx_slope_along ggx_slope_along_of(ggx_slope s, real u1) {
 K_FN ggx_draw ggx_slope_draw_of(ggx_slope s, ggx_slope_along x, k_sincos half_e, real side) {
     real along = -x.s * half_e.s;
     real across = -side * half_e.c;
-    v3 h = v3_of(s.azimuth_x * along - s.azimuth_y * across,
-                 s.azimuth_y * along + s.azimuth_x * across, x.c * half_e.s);
+    v3 h = v3_of(s.azimuth.x * along - s.azimuth.y * across,
+                 s.azimuth.y * along + s.azimuth.x * across, x.c * half_e.s);
     return ggx_visible_draw(s.g, ggx_pair_of_stretched(s.g, h), s.g.one_plus_z);
 }
 
@@ -77,5 +71,12 @@ K_FN ggx_draw ggx_slope_draw(ggx_slope s, real u1, real u2, real u3) {
     return ggx_slope_draw_of(s, ggx_slope_along_of(s, u1), half_e,
                              k_select(upper, R(1.0), R(-1.0)));
 }
+
+/* Worst errors of a draw in float, 2 10^7 random inputs (tools/numerics/sampler_error.c: roughness
+ * 0.01 to 2, u2 up to 0.98, either side).
+ * wo:  1.7e-05 at wi (0x1.cf934ap-1, -0x1.602c9p-8, -0x1.b2ab5p-2),
+ *      alpha (0x1.5f2e28p-6, 0x1.8de8c8p+0) u (0x1.d5aa8p-6, 0x1.031c0ep-2)
+ * pdf: 1.1e-06 relative at wi (0x1.c32092p-3, -0x1.55d8aap-1, -0x1.6c186p-1),
+ *      alpha (0x1.5cc8e6p+0, 0x1.5de66cp-3) u (0x1.7884f2p-1, 0x1.f01428p-1) */
 
 #endif

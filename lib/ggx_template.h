@@ -62,8 +62,8 @@ static void prepare_method(model_type *model, ggx_base g) {
     }
 }
 
-LOBE_NAME(ggx)
-LOBE_NAME(ggx_prepare)(lobe_ggx_options options, vec_type wi, real alpha_x, real alpha_y) {
+model_type LOBE_NAME(ggx_prepare)(lobe_ggx_options options, vec_type wi, real alpha_x,
+                                  real alpha_y) {
     ggx_base g = ggx_base_of(in(wi), alpha_x, alpha_y, options.g2 == LOBE_G2_SEPARABLE,
                              options.normalization == LOBE_NORMALIZATION_PREVIOUS);
     bool known = (unsigned)options.method < LOBE_METHOD_COUNT;
@@ -158,8 +158,7 @@ static draw_type mirror_draw(const model_type *model) {
     return d;
 }
 
-LOBE_NAME(ggx_draw)
-LOBE_NAME(ggx_sample)(const model_type *model, real u1, real u2, real u3) {
+draw_type LOBE_NAME(ggx_sample)(const model_type *model, real u1, real u2, real u3) {
     if (model->is_mirror) return mirror_draw(model);
     ggx_draw k = draw_method(model, k_unit(u1), k_unit(u2), k_unit(u3));
     draw_type d;
@@ -199,12 +198,10 @@ static eval_type eval_pair(const model_type *model, ggx_pair pair) {
     return e;
 }
 
-LOBE_NAME(ggx_eval)
-LOBE_NAME(ggx_eval_wo)(const model_type *model, vec_type wo) {
+eval_type LOBE_NAME(ggx_eval_wo)(const model_type *model, vec_type wo) {
     return eval_pair(model, ggx_pair_of_wo(base_of(model), in(wo)));
 }
 
-LOBE_NAME(ggx_eval)
-LOBE_NAME(ggx_eval_m)(const model_type *model, vec_type m) {
+eval_type LOBE_NAME(ggx_eval_m)(const model_type *model, vec_type m) {
     return eval_pair(model, ggx_pair_of_m(base_of(model), in(m)));
 }

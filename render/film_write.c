@@ -39,6 +39,13 @@ lobe_render_result lobe_film_write(const lobe_film *film, const char *path,
     if (!(fabsf(options.exposure) <= 100.0f))
         return lobe_fail(LOBE_RENDER_BAD_INPUT, "exposure: %g is out of range; use -100 to 100",
                          (double)options.exposure);
+    if ((unsigned)options.compression > LOBE_FILM_COMPRESSION_PIZ)
+        return lobe_fail(LOBE_RENDER_BAD_INPUT,
+                         "compression: out of range; take one of lobe_film_compression");
+    if (lobe_path_ends(path, ".png") &&
+        (int64_t)film->width * film->height > LOBE_FILM_PNG_PIXELS_MAX)
+        return lobe_fail(LOBE_RENDER_BAD_INPUT,
+                         "%s: too large for .png; end the name with .exr, .hdr or .pfm", path);
     output out;
     lobe_render_result result = lobe_output_open(&out, path);
     if (result == LOBE_RENDER_OK) result = write_format(film, &out, options);

@@ -129,7 +129,7 @@ static void read_mesh(importer *k, const struct aiMesh *mesh) {
     }
 }
 
-static lobe_render_result read_scene(importer *k) {
+static void read_scene(importer *k) {
     k->first_material = k->scene->material_count;
     for (unsigned i = 0; i < k->file->mNumMaterials; i++)
         lobe_scene_add_material(k->scene, read_material(k, i));
@@ -142,7 +142,6 @@ static lobe_render_result read_scene(importer *k) {
                   "%s: %llu triangles without area or with a coordinate that "
                   "is not finite; they are left out",
                   k->path, (unsigned long long)dropped);
-    return LOBE_RENDER_OK;
 }
 
 lobe_render_result lobe_scene_import(lobe_scene *s, const char *path,
@@ -172,8 +171,8 @@ lobe_render_result lobe_scene_import(lobe_scene *s, const char *path,
                          aiGetErrorString());
     }
     k.textures = (texture_reader){.scene = s, .file = k.file, .path = path};
-    result = read_scene(&k);
+    read_scene(&k);
     lobe_import_textures_end(&k.textures);
     aiReleaseImport(k.file);
-    return result;
+    return LOBE_RENDER_OK;
 }

@@ -2,21 +2,24 @@
  *   REAL        float or double
  *   NAME(stem)  stem_f32 or stem_f64 */
 
-static NAME(lobe_vec3) NAME(vector)(const double v[3]) {
-    NAME(lobe_vec3) r = {(REAL)v[0], (REAL)v[1], (REAL)v[2]};
+#define VECTOR NAME(lobe_vec3)
+#define MODEL NAME(lobe_ggx)
+#define DRAW NAME(lobe_ggx_draw)
+
+static VECTOR NAME(vector)(const double v[3]) {
+    VECTOR r = {(REAL)v[0], (REAL)v[1], (REAL)v[2]};
     return r;
 }
 
 /* A copy would cost as much as a draw. The bytes are written by memcpy only, so no compiler may take
  * this for another object; the state is aligned for every type. */
-static const NAME(lobe_ggx) * NAME(view)(const lobe_verify_state *state) {
+static const MODEL *NAME(view)(const lobe_verify_state *state) {
     return (const void *)state->bytes;
 }
 
 static void NAME(prepare_with)(const lobe_ggx_parameters *p, const double wi[3], double alpha_x,
                                double alpha_y, lobe_verify_state *state) {
-    NAME(lobe_ggx)
-    ggx = NAME(lobe_ggx_prepare)(p->options, NAME(vector)(wi), (REAL)alpha_x, (REAL)alpha_y);
+    MODEL ggx = NAME(lobe_ggx_prepare)(p->options, NAME(vector)(wi), (REAL)alpha_x, (REAL)alpha_y);
     _Static_assert(sizeof ggx <= sizeof state->bytes, "lobe_verify_state is too small");
     memcpy(state->bytes, &ggx, sizeof ggx);
 }
@@ -29,14 +32,13 @@ static void NAME(prepare)(const void *self, const double wi[3], lobe_verify_stat
 static int NAME(prepare_special)(const void *self, const double wi[3], size_t index,
                                  lobe_verify_state *state) {
     if (index >= SPECIAL_ALPHAS * SPECIAL_ALPHAS) return 0;
-    NAME(prepare_with)
-    (self, wi, SPECIAL_ALPHA[index % SPECIAL_ALPHAS], SPECIAL_ALPHA[index / SPECIAL_ALPHAS], state);
+    const double alpha_x = SPECIAL_ALPHA[index % SPECIAL_ALPHAS];
+    NAME(prepare_with)(self, wi, alpha_x, SPECIAL_ALPHA[index / SPECIAL_ALPHAS], state);
     return 1;
 }
 
 static lobe_verify_draw NAME(sample)(const lobe_verify_state *state, const double u[3]) {
-    NAME(lobe_ggx_draw)
-    s = NAME(lobe_ggx_sample)(NAME(view)(state), (REAL)u[0], (REAL)u[1], (REAL)u[2]);
+    DRAW s = NAME(lobe_ggx_sample)(NAME(view)(state), (REAL)u[0], (REAL)u[1], (REAL)u[2]);
     return (lobe_verify_draw){{s.wo.x, s.wo.y, s.wo.z}, s.pdf, s.weight};
 }
 
@@ -64,5 +66,8 @@ static void NAME(set_functions)(lobe_verify_model *model) {
     model->accepted = share >= 0 ? share : NAN;
 }
 
+#undef VECTOR
+#undef MODEL
+#undef DRAW
 #undef REAL
 #undef NAME

@@ -43,7 +43,8 @@ static double count_chunk(const source *s, uint64_t first, uint64_t end, uint64_
             bin = lobe_bins_find(s->bins, t, a);
         }
         counts[bin] += 1;
-        weight_sum += fmin(draw.weight, s->bins->cut);
+        /* not fmin, which would hide a NaN */
+        weight_sum += draw.weight > s->bins->cut ? s->bins->cut : draw.weight;
     }
     return weight_sum;
 }

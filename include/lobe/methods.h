@@ -9,8 +9,7 @@
 #define LOBE_GGX_METHODS(X)                                                                        \
     X(NDF, ndf, "ndf", "all normals, D cos (Walter et al. 2007)")                                  \
     X(SLOPE_PUBLISHED, slope_published, "slope-published",                                         \
-      "visible slopes with the paper's rational fit (Heitz & d'Eon 2014); fails chi^2 from 10^6 "  \
-      "draws on")                                                                                  \
+      "visible slopes with the printed rational fit (Heitz & d'Eon 2014); fails chi^2 tests")      \
     X(SLOPE, slope, "slope", "visible slopes, every inversion exact (after Heitz & d'Eon 2014)")   \
     X(ELLIPSOID, ellipsoid, "ellipsoid", "projected ellipsoid (Heitz 2018)")                       \
     X(CAPS, caps, "caps", "spherical caps (Dupuy & Benyoub 2023)")                                 \

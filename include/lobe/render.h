@@ -224,6 +224,9 @@ typedef struct lobe_film_write_options {
 
 LOBE_API lobe_film_write_options lobe_film_default_write_options(void);
 
+/* Most pixels of a .png. */
+#define LOBE_FILM_PNG_PIXELS_MAX (256 * 1024 * 1024)
+
 /* 1 if a film can be written under such a name: .exr, .png, .hdr or .pfm (any case). Ask before a
  * long render. */
 LOBE_API int lobe_film_can_write(const char *path);

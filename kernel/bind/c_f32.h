@@ -11,7 +11,6 @@ typedef int32_t kint;
 #define K_INT(x) x
 #define K_IS_F64 0
 #define K_MANTISSA_BITS 23
-#define K_EXPONENT_BIAS 127
 #define K_EPS R(1.1920929e-7)     /* one ulp of 1 */
 #define K_BELOW_ONE R(0.99999994) /* the largest number below 1 */
 #define K_TINY R(1e-30)           /* a denominator that overflows nothing */

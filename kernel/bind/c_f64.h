@@ -13,7 +13,6 @@ typedef int64_t kint;
 #define K_INT_PAIR(high, low) ((kint)(UINT64_C(high) << 32 | UINT64_C(low)))
 #define K_IS_F64 1
 #define K_MANTISSA_BITS 52
-#define K_EXPONENT_BIAS 1023
 #define K_EPS R(2.220446049250313e-16)
 #define K_BELOW_ONE R(0.9999999999999999)
 #define K_TINY R(1e-290)

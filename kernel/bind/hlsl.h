@@ -2,56 +2,9 @@
 #ifndef K_BIND_HLSL_H
 #define K_BIND_HLSL_H
 
-#define real float
-#define kint int
+#define K_FLOAT_BITS(x) asint(x)
+#define K_BITS_FLOAT(bits) asfloat(bits)
 
-#define R(x) (x)
-#define K_INT(x) (x)
-#define K_IS_F64 0
-#define K_MANTISSA_BITS 23
-#define K_EXPONENT_BIAS 127
-#define K_EPS R(1.1920929e-7)
-#define K_BELOW_ONE R(0.99999994)
-#define K_TINY R(1e-30)
-#define K_HUGE R(1e30)
-
-#define K_FN
-#define K_STRUCT(name) struct name
-
-K_FN real k_select(bool condition, real yes, real no) {
-    return condition ? yes : no;
-}
-
-K_FN real k_min(real a, real b) {
-    return min(a, b);
-}
-
-K_FN real k_max(real a, real b) {
-    return max(a, b);
-}
-
-K_FN real k_abs(real x) {
-    return abs(x);
-}
-
-K_FN real k_floor(real x) {
-    return floor(x);
-}
-
-K_FN real k_sqrt(real x) {
-    return sqrt(x);
-}
-
-K_FN kint k_bits(real x) {
-    return asint(x);
-}
-
-K_FN real k_from_bits(kint bits) {
-    return asfloat(bits);
-}
-
-K_FN real k_from_int(kint n) {
-    return float(n);
-}
+#include "shader.h"
 
 #endif

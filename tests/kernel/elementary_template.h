@@ -6,6 +6,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 
+#include "kernel/ggx.h"
 #include "kernel/kepler.h"
 #include "kernel/log.h"
 
@@ -46,9 +47,22 @@ static void kepler_residual(void **state) {
     }
 }
 
+/* G1 = 1/(1 + Lambda), in the two forms that do not cancel. */
+static void masking(void **state) {
+    (void)state;
+    for (int k = 1; k < 1000; ++k) {
+        real z = (real)k / R(1000.0);
+        v3 v = v3_of(k_sqrt(R(1.0) - z * z), R(0.0), z);
+        for (real alpha = R(1e-3); alpha < R(10.0); alpha *= R(3.0)) {
+            real g1 = R(1.0) / (R(1.0) + ggx_lambda(v, alpha, R(0.5)));
+            assert_true(k_abs(g1 - ggx_g1_out(v, alpha, R(0.5))) < (real)(4 * ULP));
+        }
+    }
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(sine_and_cosine),
-                                       cmocka_unit_test(logarithm),
-                                       cmocka_unit_test(kepler_residual)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(sine_and_cosine), cmocka_unit_test(logarithm),
+        cmocka_unit_test(kepler_residual), cmocka_unit_test(masking)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

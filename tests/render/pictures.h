@@ -62,8 +62,9 @@ static inline double block_of(const float *rgb, int width, int height, int block
 
 static inline block_means measure(const lobe_scene *scene, lobe_render_options o) {
     double sum[BLOCKS * BLOCKS] = {0}, squares[BLOCKS * BLOCKS] = {0};
+    const uint64_t first = 1000 * o.seed + 1;
     for (uint64_t seed = 0; seed < SEEDS; ++seed) {
-        o.seed = o.seed * 1000 + seed + 1;
+        o.seed = first + seed;
         lobe_film *film = render(scene, o, NULL);
         float *rgb = colors(film);
         for (int b = 0; b < BLOCKS * BLOCKS; ++b) {
