@@ -13,7 +13,7 @@
 #ifndef K_GGX_H
 #define K_GGX_H
 
-#include "vec.h"
+#include "facet.h"
 
 #define GGX_ALPHA_MIN R(1e-4)
 #define GGX_ALPHA_MAX R(1e4)
@@ -30,28 +30,12 @@ K_STRUCT(ggx_base) {
     real one_minus_z;  /* each without cancellation */
     real visible;      /* V(i) */
     real density_bias; /* density / what is sampled; 1 but for the previous normalisation */
+    v3 plane;          /* the geometric normal */
+    real floor_share;  /* how much of a density ignores shadowing, for the methods that follow it */
     bool separable;
+    bool tilted; /* the plane is not the shading plane */
     bool valid;
     bool mirror;
-};
-
-/* A pair of directions seen from the microsurface. */
-K_STRUCT(ggx_pair) {
-    v3 m;
-    v3 wo;
-    real cos_im;
-    real d;
-    bool leaves; /* m faces i, and o is above the surface */
-};
-
-/* What a draw gives. */
-K_STRUCT(ggx_draw) {
-    v3 m;
-    v3 wo;
-    real cos_im;
-    real pdf_m;
-    real pdf;
-    real weight;
 };
 
 K_FN real ggx_alpha_floor(real alpha) {
@@ -62,15 +46,8 @@ K_FN v3 ggx_stretch(v3 v, real ax, real ay) {
     return v3_of(ax * v.x, ay * v.y, v.z);
 }
 
-K_FN bool ggx_inputs_usable(v3 wi, real ax, real ay) {
-    real norm2 = v3_dot(wi, wi);
-    return ax >= R(0.0) && ay >= R(0.0) && k_is_finite(ax) && k_is_finite(ay) && norm2 > R(0.98) &&
-           norm2 < R(1.02);
-}
-
-/* separable, previous: choices of G2 and of the normaliser, see lobe/ggx.h */
-K_FN ggx_base ggx_base_of(v3 wi, real alpha_x, real alpha_y, bool separable, bool previous) {
-    bool usable = ggx_inputs_usable(wi, alpha_x, alpha_y);
+K_FN ggx_base ggx_base_of(v3 wi, real alpha_x, real alpha_y, facet_options options) {
+    bool usable = facet_inputs_usable(wi, alpha_x, alpha_y, options.plane);
     ggx_base g;
     g.wi = v3_select(usable, wi, v3_of(R(0.0), R(0.0), R(1.0)));
     g.ax = ggx_alpha_floor(k_select(usable, alpha_x, R(1.0)));
@@ -86,30 +63,16 @@ K_FN ggx_base ggx_base_of(v3 wi, real alpha_x, real alpha_y, bool separable, boo
     g.one_plus_z = k_select(z < R(0.0), smaller, larger);
     g.one_minus_z = k_select(z < R(0.0), larger, smaller);
     g.visible = g.t_i * g.one_plus_z;
-    g.density_bias = k_select(previous && z < R(0.0), smaller / larger, R(1.0));
-    g.separable = separable;
+    g.density_bias = k_select(options.previous && z < R(0.0), smaller / larger, R(1.0));
+    g.plane = options.plane;
+    g.tilted = facet_is_tilted(options.plane);
+    g.floor_share = k_saturate(options.floor_share);
+    g.separable = options.separable;
     /* straight from below nothing is visible */
     g.valid = usable && g.visible > R(1e6) * K_TINY;
     g.visible = k_select(g.valid, g.visible, R(1.0));
     g.mirror = usable && alpha_x < GGX_ALPHA_MIN && alpha_y < GGX_ALPHA_MIN;
     return g;
-}
-
-/* The direction of i_std in the plane, and its length there; +x where it has none. */
-K_STRUCT(ggx_azimuth) {
-    real x;
-    real y;
-    real rho;
-};
-
-K_FN ggx_azimuth ggx_azimuth_of(ggx_base g) {
-    bool off_normal = g.rho2 > K_TINY;
-    ggx_azimuth a;
-    a.rho = k_select(off_normal, k_sqrt(k_max(g.rho2, K_TINY)), R(0.0));
-    real inv_rho = R(1.0) / k_max(a.rho, K_TINY);
-    a.x = k_select(off_normal, g.i_std.x * inv_rho, R(1.0));
-    a.y = k_select(off_normal, g.i_std.y * inv_rho, R(0.0));
-    return a;
 }
 
 /* D of a unit m */
@@ -159,58 +122,68 @@ K_FN real ggx_shadowing(ggx_base g, v3 wo) {
 }
 
 /* f cos of a pair that leaves the surface; 0 of any other */
-K_FN real ggx_f_cos(ggx_base g, ggx_pair pair) {
+K_FN real ggx_f_cos(ggx_base g, facet_pair pair) {
     real value = pair.d * ggx_shadowing(g, pair.wo) / (R(2.0) * g.visible);
     return k_select(g.valid && pair.leaves, k_usable(value), R(0.0));
 }
 
 /* The pair of a given o. Straight back (o = -i) has no half vector: it does not leave. */
-K_FN ggx_pair ggx_pair_of_wo(ggx_base g, v3 wo) {
+K_FN facet_pair ggx_pair_of_wo(ggx_base g, v3 wo) {
     v3 h = v3_add(g.wi, wo);
     real h2 = v3_dot(h, h);
     real safe_h2 = k_max(h2, K_TINY);
     real inv = R(1.0) / k_sqrt(safe_h2);
     real side = k_sign(h.z);
     v3 w = v3_of(h.x / g.ax, h.y / g.ay, h.z);
-    ggx_pair pair;
+    facet_pair pair;
     pair.wo = wo;
     pair.m = v3_scale(h, inv * side);
     pair.cos_im = v3_dot(g.wi, h) * inv * side;
     pair.d = ggx_d_stretched(safe_h2 / k_max(v3_dot(w, w), K_TINY), g.ax, g.ay);
-    pair.leaves = wo.z > R(0.0) && h.z > R(0.0) && h2 > K_TINY && pair.cos_im > R(0.0);
+    pair.leaves = facet_leaves(wo, g.plane) && h.z > R(0.0) && h2 > K_TINY && pair.cos_im > R(0.0);
     return pair;
 }
 
 /* The pair of a given m: o is i reflected about it, wherever that lies. */
-K_FN ggx_pair ggx_pair_of_m(ggx_base g, v3 m) {
-    ggx_pair pair;
+K_FN facet_pair ggx_pair_of_m(ggx_base g, v3 m) {
+    facet_pair pair;
     pair.m = m;
     pair.cos_im = v3_dot(g.wi, m);
     pair.wo = v3_sub(v3_scale(m, R(2.0) * pair.cos_im), g.wi);
     pair.d = ggx_d(m, g.ax, g.ay);
-    pair.leaves = pair.wo.z > R(0.0) && m.z > R(0.0) && pair.cos_im > R(0.0);
+    pair.leaves = facet_leaves(pair.wo, g.plane) && m.z > R(0.0) && pair.cos_im > R(0.0);
     return pair;
 }
 
 /* The pair of a normal drawn in the stretched space: m along A h, h of any length. i.m is taken of the
  * m that came out, not of h: that keeps o a unit vector to the last digits where h is short. */
-K_FN ggx_pair ggx_pair_of_stretched(ggx_base g, v3 h) {
+K_FN facet_pair ggx_pair_of_stretched(ggx_base g, v3 h) {
     v3 ah = ggx_stretch(h, g.ax, g.ay);
     real h2 = v3_dot(h, h);
     real ah2 = k_max(v3_dot(ah, ah), K_TINY);
-    ggx_pair pair;
+    facet_pair pair;
     pair.m = v3_scale(ah, R(1.0) / k_sqrt(ah2));
     pair.cos_im = v3_dot(g.wi, pair.m);
     pair.wo = v3_sub(v3_scale(pair.m, R(2.0) * pair.cos_im), g.wi);
     real d = ggx_d_stretched(ah2 / k_max(h2, K_TINY), g.ax, g.ay);
     pair.d = k_select(h.z >= R(0.0), d, R(0.0));
-    pair.leaves = pair.wo.z > R(0.0) && pair.cos_im > R(0.0) && h2 > K_TINY;
+    pair.leaves = facet_leaves(pair.wo, g.plane) && pair.cos_im > R(0.0) && h2 > K_TINY;
     return pair;
 }
 
+K_FN facet_eval ggx_eval(ggx_base g, facet_pair pair) {
+    facet_eval e;
+    e.d = k_usable(k_select(pair.m.z > R(0.0), pair.d, R(0.0)));
+    e.g1_i = ggx_g1_in(g);
+    e.g1_o = k_usable(ggx_g1_out(pair.wo, g.ax, g.ay));
+    e.g2 = k_select(pair.leaves, k_usable(e.g1_i * ggx_shadowing(g, pair.wo)), R(0.0));
+    e.f_cos = ggx_f_cos(g, pair);
+    return e;
+}
+
 /* A draw from its pair and the two densities of the method there. */
-K_FN ggx_draw ggx_draw_of(ggx_base g, ggx_pair pair, real pdf_m, real pdf) {
-    ggx_draw draw;
+K_FN facet_draw ggx_draw_of(ggx_base g, facet_pair pair, real pdf_m, real pdf) {
+    facet_draw draw;
     bool valid = g.valid && pair.leaves && k_usable(pdf) > R(0.0);
     draw.m = pair.m;
     draw.wo = pair.wo;

@@ -25,11 +25,11 @@ K_FN ggx_bounded ggx_bounded_prepare(ggx_base g) {
     return s;
 }
 
-K_FN real ggx_bounded_pdf(ggx_bounded s, ggx_pair pair) {
+K_FN real ggx_bounded_pdf(ggx_bounded s, facet_pair pair) {
     return ggx_cap_pdf(s.cap, pair);
 }
 
-K_FN real ggx_bounded_pdf_m(ggx_bounded s, ggx_pair pair) {
+K_FN real ggx_bounded_pdf_m(ggx_bounded s, facet_pair pair) {
     return ggx_cap_pdf_m(s.cap, pair);
 }
 
@@ -37,7 +37,7 @@ K_FN real ggx_bounded_acceptance(ggx_bounded s) {
     return ggx_cap_acceptance(s.cap);
 }
 
-K_FN ggx_draw ggx_bounded_draw(ggx_bounded s, real u1, real u2, real u3) {
+K_FN facet_draw ggx_bounded_draw(ggx_bounded s, real u1, real u2, real u3) {
     return ggx_cap_draw(s.cap, u1, u2);
 }
 

@@ -27,12 +27,12 @@ K_FN ggx_cap ggx_cap_of(ggx_base g, real one_minus_k) {
     return s;
 }
 
-K_FN real ggx_cap_pdf(ggx_cap s, ggx_pair pair) {
+K_FN real ggx_cap_pdf(ggx_cap s, facet_pair pair) {
     return ggx_visible_pdf(s.g, pair, s.w);
 }
 
 /* A normal whose reflection leaves lies in the cap by construction; the others may not. */
-K_FN real ggx_cap_pdf_m(ggx_cap s, ggx_pair pair) {
+K_FN real ggx_cap_pdf_m(ggx_cap s, facet_pair pair) {
     real depth = R(1.0) - ggx_stretched_out(s.g, pair.m).z;
     return k_select(pair.leaves || depth <= s.w, ggx_visible_pdf_m(s.g, pair, s.w), R(0.0));
 }
@@ -50,7 +50,7 @@ K_FN v3 ggx_cap_half_vector(ggx_cap s, real u1, real u2) {
     return v3_of(s.g.i_std.x + radius * phi.c, s.g.i_std.y + radius * phi.s, rise + s.spare);
 }
 
-K_FN ggx_draw ggx_cap_draw(ggx_cap s, real u1, real u2) {
+K_FN facet_draw ggx_cap_draw(ggx_cap s, real u1, real u2) {
     v3 h = ggx_cap_half_vector(s, u1, u2);
     return ggx_visible_draw(s.g, ggx_pair_of_stretched(s.g, h), s.w);
 }

@@ -14,11 +14,11 @@ K_FN ggx_caps ggx_caps_prepare(ggx_base g) {
     return s;
 }
 
-K_FN real ggx_caps_pdf(ggx_caps s, ggx_pair pair) {
+K_FN real ggx_caps_pdf(ggx_caps s, facet_pair pair) {
     return ggx_cap_pdf(s.cap, pair);
 }
 
-K_FN real ggx_caps_pdf_m(ggx_caps s, ggx_pair pair) {
+K_FN real ggx_caps_pdf_m(ggx_caps s, facet_pair pair) {
     return ggx_cap_pdf_m(s.cap, pair);
 }
 
@@ -26,7 +26,7 @@ K_FN real ggx_caps_acceptance(ggx_caps s) {
     return ggx_cap_acceptance(s.cap);
 }
 
-K_FN ggx_draw ggx_caps_draw(ggx_caps s, real u1, real u2, real u3) {
+K_FN facet_draw ggx_caps_draw(ggx_caps s, real u1, real u2, real u3) {
     return ggx_cap_draw(s.cap, u1, u2);
 }
 

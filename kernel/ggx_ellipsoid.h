@@ -10,21 +10,21 @@
 
 K_STRUCT(ggx_ellipsoid) {
     ggx_base g;
-    ggx_azimuth azimuth;
+    facet_azimuth azimuth;
 };
 
 K_FN ggx_ellipsoid ggx_ellipsoid_prepare(ggx_base g) {
     ggx_ellipsoid s;
     s.g = g;
-    s.azimuth = ggx_azimuth_of(g);
+    s.azimuth = facet_azimuth_of(g.i_std);
     return s;
 }
 
-K_FN real ggx_ellipsoid_pdf(ggx_ellipsoid s, ggx_pair pair) {
+K_FN real ggx_ellipsoid_pdf(ggx_ellipsoid s, facet_pair pair) {
     return ggx_visible_pdf(s.g, pair, s.g.one_plus_z);
 }
 
-K_FN real ggx_ellipsoid_pdf_m(ggx_ellipsoid s, ggx_pair pair) {
+K_FN real ggx_ellipsoid_pdf_m(ggx_ellipsoid s, facet_pair pair) {
     return ggx_visible_pdf_m(s.g, pair, s.g.one_plus_z);
 }
 
@@ -32,7 +32,7 @@ K_FN real ggx_ellipsoid_acceptance(ggx_ellipsoid s) {
     return ggx_visible_acceptance(s.g, s.g.one_plus_z);
 }
 
-K_FN ggx_draw ggx_ellipsoid_draw(ggx_ellipsoid s, real u1, real u2, real u3) {
+K_FN facet_draw ggx_ellipsoid_draw(ggx_ellipsoid s, real u1, real u2, real u3) {
     real radius = k_sqrt(u1);
     k_sincos phi = k_sincos_2pi(u2);
     real x = radius * phi.c;

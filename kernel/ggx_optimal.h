@@ -40,7 +40,7 @@ K_STRUCT(ggx_optimal_frame) {
 /* A^2 restricted to the plane across i_std, diagonalised. In the basis t1 = (-y, x, 0), t2 = i x t1
  * (x, y the azimuth of i_std) every entry is a sum of positive terms or a product. */
 K_FN ggx_optimal_frame ggx_optimal_frame_of(ggx_base g) {
-    ggx_azimuth azimuth = ggx_azimuth_of(g);
+    facet_azimuth azimuth = facet_azimuth_of(g.i_std);
     real rho = azimuth.rho;
     real x = azimuth.x;
     real y = azimuth.y;
@@ -151,11 +151,11 @@ K_FN ggx_optimal ggx_optimal_prepare(ggx_base g) {
     return s;
 }
 
-K_FN real ggx_optimal_pdf(ggx_optimal s, ggx_pair pair) {
+K_FN real ggx_optimal_pdf(ggx_optimal s, facet_pair pair) {
     return ggx_visible_pdf(s.g, pair, s.w);
 }
 
-K_FN real ggx_optimal_pdf_m(ggx_optimal s, ggx_pair pair) {
+K_FN real ggx_optimal_pdf_m(ggx_optimal s, facet_pair pair) {
     real depth = R(1.0) - v3_dot(s.axis, ggx_stretched_out(s.g, pair.m));
     return k_select(pair.leaves || depth <= s.w, ggx_visible_pdf_m(s.g, pair, s.w), R(0.0));
 }
@@ -173,7 +173,7 @@ K_FN v3 ggx_optimal_half_vector(ggx_optimal s, real u1, real u2) {
     return v3_add(s.g.i_std, o);
 }
 
-K_FN ggx_draw ggx_optimal_draw(ggx_optimal s, real u1, real u2, real u3) {
+K_FN facet_draw ggx_optimal_draw(ggx_optimal s, real u1, real u2, real u3) {
     /* from behind the cap is small and opposite to i: there only the form about z does not cancel */
     v3 about_z = ggx_cap_half_vector(ggx_cap_of(s.g, R(0.0)), u1, u2);
     v3 h = v3_select(s.tilts, ggx_optimal_half_vector(s, u1, u2), about_z);

@@ -15,21 +15,21 @@
 
 K_STRUCT(ggx_slope) {
     ggx_base g;
-    ggx_azimuth azimuth; /* rho = sin t */
+    facet_azimuth azimuth; /* rho = sin t */
 };
 
 K_FN ggx_slope ggx_slope_prepare(ggx_base g) {
     ggx_slope s;
     s.g = g;
-    s.azimuth = ggx_azimuth_of(g);
+    s.azimuth = facet_azimuth_of(g.i_std);
     return s;
 }
 
-K_FN real ggx_slope_pdf(ggx_slope s, ggx_pair pair) {
+K_FN real ggx_slope_pdf(ggx_slope s, facet_pair pair) {
     return ggx_visible_pdf(s.g, pair, s.g.one_plus_z);
 }
 
-K_FN real ggx_slope_pdf_m(ggx_slope s, ggx_pair pair) {
+K_FN real ggx_slope_pdf_m(ggx_slope s, facet_pair pair) {
     return ggx_visible_pdf_m(s.g, pair, s.g.one_plus_z);
 }
 
@@ -55,7 +55,7 @@ K_FN ggx_slope_along ggx_slope_along_of(ggx_slope s, real u1) {
 }
 
 /* The draw from both slopes: along i by xi, across as the angle e/2 and a sign. */
-K_FN ggx_draw ggx_slope_draw_of(ggx_slope s, ggx_slope_along x, k_sincos half_e, real side) {
+K_FN facet_draw ggx_slope_draw_of(ggx_slope s, ggx_slope_along x, k_sincos half_e, real side) {
     real along = -x.s * half_e.s;
     real across = -side * half_e.c;
     v3 h = v3_of(s.azimuth.x * along - s.azimuth.y * across,
@@ -63,7 +63,7 @@ K_FN ggx_draw ggx_slope_draw_of(ggx_slope s, ggx_slope_along x, k_sincos half_e,
     return ggx_visible_draw(s.g, ggx_pair_of_stretched(s.g, h), s.g.one_plus_z);
 }
 
-K_FN ggx_draw ggx_slope_draw(ggx_slope s, real u1, real u2, real u3) {
+K_FN facet_draw ggx_slope_draw(ggx_slope s, real u1, real u2, real u3) {
     bool upper = u2 > R(0.5);
     real tail = k_select(upper, R(1.0) - u2, u2);
     real e = k_kepler(R(2.0) * K_PI * tail);

@@ -17,11 +17,11 @@ K_FN ggx_slope_published ggx_slope_published_prepare(ggx_base g) {
     return s;
 }
 
-K_FN real ggx_slope_published_pdf(ggx_slope_published s, ggx_pair pair) {
+K_FN real ggx_slope_published_pdf(ggx_slope_published s, facet_pair pair) {
     return ggx_slope_pdf(s.slope, pair);
 }
 
-K_FN real ggx_slope_published_pdf_m(ggx_slope_published s, ggx_pair pair) {
+K_FN real ggx_slope_published_pdf_m(ggx_slope_published s, facet_pair pair) {
     return ggx_slope_pdf_m(s.slope, pair);
 }
 
@@ -52,7 +52,7 @@ K_FN ggx_slope_along ggx_slope_published_along(ggx_slope s, real u1) {
     return along;
 }
 
-K_FN ggx_draw ggx_slope_published_draw(ggx_slope_published s, real u1, real u2, real u3) {
+K_FN facet_draw ggx_slope_published_draw(ggx_slope_published s, real u1, real u2, real u3) {
     bool upper = u2 > R(0.5);
     real z = ggx_slope_published_z(k_select(upper, R(2.0) * u2 - R(1.0), R(1.0) - R(2.0) * u2));
     /* the paper's method is for i above the surface at an angle; elsewhere the exact slope */

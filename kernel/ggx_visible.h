@@ -8,22 +8,22 @@
 #include "ggx_useful.h"
 
 /* Density over directions, continued to reflections that do not leave. */
-K_FN real ggx_visible_pdf(ggx_base g, ggx_pair pair, real w) {
+K_FN real ggx_visible_pdf(ggx_base g, facet_pair pair, real w) {
     return g.density_bias * pair.d / (R(2.0) * g.t_i * w);
 }
 
 /* Density over the sphere of normals. */
-K_FN real ggx_visible_pdf_m(ggx_base g, ggx_pair pair, real w) {
+K_FN real ggx_visible_pdf_m(ggx_base g, facet_pair pair, real w) {
     return R(4.0) * k_max(pair.cos_im, R(0.0)) * ggx_visible_pdf(g, pair, w);
 }
 
-K_FN ggx_draw ggx_visible_draw(ggx_base g, ggx_pair pair, real w) {
+K_FN facet_draw ggx_visible_draw(ggx_base g, facet_pair pair, real w) {
     return ggx_draw_of(g, pair, ggx_visible_pdf_m(g, pair, w), ggx_visible_pdf(g, pair, w));
 }
 
-/* Share of the draws that leave the surface. */
+/* Share of the draws that leave the surface; with a second plane it has no closed form. */
 K_FN real ggx_visible_acceptance(ggx_base g, real w) {
-    return R(2.0) * ggx_useful_area(g) / w;
+    return k_select(g.tilted, R(-1.0), R(2.0) * ggx_useful_area(g) / w);
 }
 
 /* The reflection of i_std about the stretched m. */

@@ -64,8 +64,9 @@ static void prepare_method(model_type *model, ggx_base g) {
 
 model_type LOBE_NAME(ggx_prepare)(lobe_ggx_options options, vec_type wi, real alpha_x,
                                   real alpha_y) {
-    ggx_base g = ggx_base_of(in(wi), alpha_x, alpha_y, options.g2 == LOBE_G2_SEPARABLE,
-                             options.normalization == LOBE_NORMALIZATION_PREVIOUS);
+    facet_options choices = facet_options_of(options.g2 == LOBE_G2_SEPARABLE,
+                                             options.normalization == LOBE_NORMALIZATION_PREVIOUS);
+    ggx_base g = ggx_base_of(in(wi), alpha_x, alpha_y, choices);
     bool known = (unsigned)options.method < LOBE_METHOD_COUNT;
     g.valid = g.valid && known;
     model_type model;
@@ -80,7 +81,7 @@ model_type LOBE_NAME(ggx_prepare)(lobe_ggx_options options, vec_type wi, real al
     return model;
 }
 
-static ggx_draw draw_method(const model_type *model, real u1, real u2, real u3) {
+static facet_draw draw_method(const model_type *model, real u1, real u2, real u3) {
     switch ((lobe_method)model->method) {
 #define CASE(ID, name, text, about)                                                                \
     case LOBE_METHOD_##ID: {                                                                       \
@@ -92,12 +93,12 @@ static ggx_draw draw_method(const model_type *model, real u1, real u2, real u3) 
     case LOBE_METHOD_COUNT:
         break;
     }
-    ggx_draw none;
+    facet_draw none;
     memset(&none, 0, sizeof none);
     return none;
 }
 
-static real pdf_method(const model_type *model, ggx_pair pair) {
+static real pdf_method(const model_type *model, facet_pair pair) {
     switch ((lobe_method)model->method) {
 #define CASE(ID, name, text, about)                                                                \
     case LOBE_METHOD_##ID: {                                                                       \
@@ -112,7 +113,7 @@ static real pdf_method(const model_type *model, ggx_pair pair) {
     return 0;
 }
 
-static real pdf_m_method(const model_type *model, ggx_pair pair) {
+static real pdf_m_method(const model_type *model, facet_pair pair) {
     switch ((lobe_method)model->method) {
 #define CASE(ID, name, text, about)                                                                \
     case LOBE_METHOD_##ID: {                                                                       \
@@ -160,7 +161,7 @@ static draw_type mirror_draw(const model_type *model) {
 
 draw_type LOBE_NAME(ggx_sample)(const model_type *model, real u1, real u2, real u3) {
     if (model->is_mirror) return mirror_draw(model);
-    ggx_draw k = draw_method(model, k_unit(u1), k_unit(u2), k_unit(u3));
+    facet_draw k = draw_method(model, k_unit(u1), k_unit(u2), k_unit(u3));
     draw_type d;
     d.m = out(k.m);
     d.wo = out(k.wo);
@@ -176,25 +177,24 @@ static bool has_density(const model_type *model) {
 }
 
 real LOBE_NAME(ggx_pdf)(const model_type *model, vec_type wo) {
-    ggx_pair pair = ggx_pair_of_wo(base_of(model), in(wo));
+    facet_pair pair = ggx_pair_of_wo(base_of(model), in(wo));
     return has_density(model) && pair.leaves ? k_usable(pdf_method(model, pair)) : R(0.0);
 }
 
-static eval_type eval_pair(const model_type *model, ggx_pair pair) {
+static eval_type eval_pair(const model_type *model, facet_pair pair) {
     eval_type e;
     memset(&e, 0, sizeof e);
     if (!has_density(model)) return e;
     ggx_base g = base_of(model);
-    e.d = k_usable(pair.m.z > R(0.0) ? pair.d : R(0.0));
-    e.g1_i = ggx_g1_in(g);
-    e.g1_o = k_usable(ggx_g1_out(pair.wo, g.ax, g.ay));
+    facet_eval known = ggx_eval(g, pair);
+    e.d = known.d;
+    e.g1_i = known.g1_i;
+    e.g1_o = known.g1_o;
+    e.g2 = known.g2;
+    e.f_cos = known.f_cos;
     e.pdf_m = k_usable(e.d > 0 ? pdf_m_method(model, pair) : R(0.0));
+    e.pdf = pair.leaves ? k_usable(pdf_method(model, pair)) : R(0.0);
     e.cos_im = pair.cos_im;
-    if (pair.leaves) {
-        e.g2 = k_usable(e.g1_i * ggx_shadowing(g, pair.wo));
-        e.pdf = k_usable(pdf_method(model, pair));
-        e.f_cos = ggx_f_cos(g, pair);
-    }
     return e;
 }
 

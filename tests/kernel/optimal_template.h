@@ -25,7 +25,7 @@ static ggx_base configuration(uint64_t k) {
     double ay = k % 4 == 1 ? ax : 0.01 * pow(250, uniform(k, 3));
     double s = sqrt(1 - mu * mu);
     v3 wi = v3_of((real)(s * cos(phi)), (real)(s * sin(phi)), (real)mu);
-    return ggx_base_of(wi, (real)ax, (real)ay, false, false);
+    return ggx_base_of(wi, (real)ax, (real)ay, facet_options_of(false, false));
 }
 
 /* How far the horizon direction at azimuth phi lies inside the cap, in double: the oracle. wi is made
@@ -97,11 +97,13 @@ static void area_is_the_smallest(void **state) {
 static void special_cases(void **state) {
     (void)state;
     v3 wi = v3_of(R(0.6), R(0.0), R(0.8));
-    ggx_optimal hemisphere = ggx_optimal_prepare(ggx_base_of(wi, R(1.0), R(1.0), false, false));
+    ggx_optimal hemisphere =
+        ggx_optimal_prepare(ggx_base_of(wi, R(1.0), R(1.0), facet_options_of(false, false)));
     assert_true(k_abs(hemisphere.w - R(1.0)) < R(2.0) * K_EPS);
     assert_true(k_abs(hemisphere.axis.z - R(1.0)) < R(2.0) * K_EPS);
     v3 normal = v3_of(R(0.0), R(0.0), R(1.0));
-    ggx_optimal ring = ggx_optimal_prepare(ggx_base_of(normal, R(0.5), R(0.5), false, false));
+    ggx_optimal ring =
+        ggx_optimal_prepare(ggx_base_of(normal, R(0.5), R(0.5), facet_options_of(false, false)));
     assert_true(k_abs(ring.w - R(1.6)) < R(4.0) * K_EPS); /* kappa = (a^2 - 1)/(a^2 + 1) */
 }
 
