@@ -1,4 +1,4 @@
-#include "ggx_cases.h"
+#include "reflection_cases.h"
 
 typedef struct configuration {
     double alpha_x, alpha_y;
@@ -25,16 +25,16 @@ static const configuration CONFIGURATIONS[] = {
 
 enum { CONFIGURATION_COUNT = sizeof CONFIGURATIONS / sizeof *CONFIGURATIONS };
 
-size_t lobe_ggx_case_count(void) {
-    return (size_t)LOBE_METHOD_COUNT * LOBE_PRECISION_COUNT * CONFIGURATION_COUNT;
+size_t lobe_reflection_case_count(void) {
+    return (size_t)lobe_model_count() * LOBE_PRECISION_COUNT * CONFIGURATION_COUNT;
 }
 
-lobe_ggx_case lobe_ggx_case_at(size_t index) {
+lobe_reflection_case lobe_reflection_case_at(size_t index) {
     const configuration *c = &CONFIGURATIONS[index % CONFIGURATION_COUNT];
     size_t model = index / CONFIGURATION_COUNT;
-    lobe_ggx_options options = lobe_ggx_default_options();
-    options.method = (lobe_method)(model / LOBE_PRECISION_COUNT);
+    lobe_reflection_options options = lobe_reflection_default_options();
+    options.model = lobe_model_at((int)(model / LOBE_PRECISION_COUNT));
     options.g2 = c->g2;
-    return (lobe_ggx_case){{options, c->alpha_x, c->alpha_y, c->theta, c->phi},
-                           (lobe_precision)(model % LOBE_PRECISION_COUNT)};
+    return (lobe_reflection_case){{options, c->alpha_x, c->alpha_y, c->theta, c->phi},
+                                  (lobe_precision)(model % LOBE_PRECISION_COUNT)};
 }

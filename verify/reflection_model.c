@@ -1,11 +1,11 @@
-#include "ggx_model.h"
+#include "reflection_model.h"
 
 #include <float.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "ggx_oracles.h"
+#include "reflection_oracles.h"
 
 static const double SPECIAL_ALPHA[] = {
     0.0, -0.0,    FLT_TRUE_MIN, DBL_TRUE_MIN, FLT_MIN,  1e-7,     1e-4,      0.01, 1,
@@ -14,18 +14,18 @@ enum { SPECIAL_ALPHAS = sizeof SPECIAL_ALPHA / sizeof *SPECIAL_ALPHA };
 
 #define REAL float
 #define NAME(stem) stem##_f32
-#include "ggx_model_template.h"
+#include "reflection_model_template.h"
 
 #define REAL double
 #define NAME(stem) stem##_f64
-#include "ggx_model_template.h"
+#include "reflection_model_template.h"
 
 static double rounded(double x, lobe_precision precision) {
     return precision == LOBE_PRECISION_F32 ? (float)x : x;
 }
 
 /* The degrees of a table are exact at the axes; their sines and cosines shall be too. */
-static void incidence(const lobe_ggx_parameters *p, double wi[3]) {
+static void incidence(const lobe_reflection_parameters *p, double wi[3]) {
     const double degree = 0.01745329251994329577;
     double sine = sin(p->theta * degree);
     wi[0] = sine * cos(p->phi * degree);
@@ -33,25 +33,36 @@ static void incidence(const lobe_ggx_parameters *p, double wi[3]) {
     wi[2] = p->theta == 90 ? 0 : cos(p->theta * degree);
 }
 
-void lobe_ggx_subject_name(lobe_ggx_parameters parameters, lobe_precision precision, char *name,
-                           size_t name_size, char *configuration, size_t configuration_size) {
-    const lobe_ggx_parameters *p = &parameters;
-    snprintf(name, name_size, "%s %s", lobe_method_name(p->options.method),
+void lobe_reflection_model_name(lobe_model model, char *name, size_t name_size) {
+    const char *ndf = model.ndf == LOBE_NDF_GGX ? "" : lobe_ndf_name(model.ndf);
+    const char *masking =
+        model.masking == LOBE_MASKING_SMITH ? "" : lobe_masking_name(model.masking);
+    snprintf(name, name_size, "%s%s%s%s%s", ndf, *ndf ? " " : "", masking, *masking ? " " : "",
+             lobe_method_name(model.method));
+}
+
+void lobe_reflection_subject_name(lobe_reflection_parameters parameters, lobe_precision precision,
+                                  char *name, size_t name_size, char *configuration,
+                                  size_t configuration_size) {
+    const lobe_reflection_parameters *p = &parameters;
+    lobe_reflection_model_name(p->options.model, name, name_size);
+    size_t length = strlen(name);
+    snprintf(name + length, name_size - length, " %s",
              precision == LOBE_PRECISION_F32 ? "f32" : "f64");
     snprintf(configuration, configuration_size, "alpha=%g,%g theta=%g phi=%g g2=%s", p->alpha_x,
              p->alpha_y, p->theta, p->phi,
              p->options.g2 == LOBE_G2_SEPARABLE ? "separable" : "correlated");
 }
 
-static void round_parameters(lobe_ggx_parameters *p, lobe_precision precision) {
+static void round_parameters(lobe_reflection_parameters *p, lobe_precision precision) {
     p->alpha_x = rounded(p->alpha_x, precision);
     p->alpha_y = rounded(p->alpha_y, precision);
 }
 
-void lobe_ggx_subject_make(lobe_ggx_subject *subject, lobe_ggx_parameters parameters,
-                           lobe_precision precision) {
-    lobe_ggx_subject_name(parameters, precision, subject->name, sizeof subject->name,
-                          subject->configuration, sizeof subject->configuration);
+void lobe_reflection_subject_make(lobe_reflection_subject *subject,
+                                  lobe_reflection_parameters parameters, lobe_precision precision) {
+    lobe_reflection_subject_name(parameters, precision, subject->name, sizeof subject->name,
+                                 subject->configuration, sizeof subject->configuration);
     round_parameters(&parameters, precision);
     subject->parameters = parameters;
     lobe_verify_model *model = &subject->model;
@@ -61,12 +72,12 @@ void lobe_ggx_subject_make(lobe_ggx_subject *subject, lobe_ggx_parameters parame
     model->self = &subject->parameters;
     incidence(&parameters, model->wi);
     for (int k = 0; k < 3; ++k) model->wi[k] = rounded(model->wi[k], precision);
-    double ax = fmax(parameters.alpha_x, rounded(LOBE_GGX_ALPHA_MIN, precision));
-    double ay = fmax(parameters.alpha_y, rounded(LOBE_GGX_ALPHA_MIN, precision));
+    double ax = fmax(parameters.alpha_x, rounded(LOBE_ALPHA_MIN, precision));
+    double ay = fmax(parameters.alpha_y, rounded(LOBE_ALPHA_MIN, precision));
     subject->chart = lobe_ggx_chart_prepare(model->wi, ax, ay);
     model->chart = lobe_ggx_chart_view(&subject->chart);
     model->is_reciprocal = 1;
-    model->is_mirror = fmax(parameters.alpha_x, parameters.alpha_y) < LOBE_GGX_ALPHA_MIN;
+    model->is_mirror = fmax(parameters.alpha_x, parameters.alpha_y) < LOBE_ALPHA_MIN;
 
     subject->twin = *model;
     set_functions_f64(&subject->twin);
@@ -78,5 +89,5 @@ void lobe_ggx_subject_make(lobe_ggx_subject *subject, lobe_ggx_parameters parame
         model->random_bits = 24;
         model->twin = &subject->twin;
     }
-    lobe_ggx_set_oracles(subject);
+    lobe_reflection_set_oracles(subject);
 }
