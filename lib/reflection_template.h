@@ -37,7 +37,7 @@ static vec_type out(v3 v) {
 
 /* What a row of the list can do. A kernel's state lies in the private part of the public value. */
 typedef struct row {
-    void (*prepare)(model_type *model, v3 wi, real ax, real ay, facet_options options);
+    model_type (*prepare)(v3 wi, real ax, real ay, facet_options options);
     facet_draw (*draw)(const model_type *model, real u1, real u2, real u3);
     real (*pdf)(const model_type *model, v3 wo);
     eval_type (*eval_wo)(const model_type *model, v3 wo);
@@ -58,6 +58,10 @@ static eval_type eval_of(facet_pair pair, facet_eval known, real pdf_m, real pdf
     return e;
 }
 
+#define ROW_INDEX(NDF, MASKING, METHOD, kernel) INDEX_##kernel,
+enum { LOBE_MODELS(ROW_INDEX) ROW_COUNT };
+#undef ROW_INDEX
+
 #define LOAD(type, value)                                                                          \
     type value;                                                                                    \
     memcpy(&value, model->prepared, sizeof value)
@@ -66,18 +70,20 @@ static eval_type eval_of(facet_pair pair, facet_eval known, real pdf_m, real pdf
 #define DEFINE_ROW(NDF, MASKING, METHOD, kernel)                                                   \
     _Static_assert(sizeof(kernel) <= sizeof(((model_type *)0)->prepared),                          \
                    #kernel " is too large");                                                       \
-    static void kernel##_row_prepare(model_type *model, v3 wi, real ax, real ay,                   \
-                                     facet_options options) {                                      \
+    static model_type kernel##_row_prepare(v3 wi, real ax, real ay, facet_options options) {       \
         FAMILY(NDF, MASKING, _base) g = FAMILY(NDF, MASKING, _base_of)(wi, ax, ay, options);       \
         kernel s = kernel##_prepare(g);                                                            \
-        memcpy(model->prepared, &s, sizeof s);                                                     \
-        model->is_valid = g.valid;                                                                 \
-        model->is_mirror = g.valid && g.mirror;                                                    \
         v3 mirrored = v3_of(-g.wi.x, -g.wi.y, g.wi.z);                                             \
-        model->mirror_leaves = facet_leaves(mirrored, g.plane);                                    \
-        model->alpha_x = g.ax;                                                                     \
-        model->alpha_y = g.ay;                                                                     \
-        model->wi = out(g.wi);                                                                     \
+        model_type model;                                                                          \
+        model.row = INDEX_##kernel;                                                                \
+        model.is_valid = g.valid;                                                                  \
+        model.is_mirror = g.valid && g.mirror;                                                     \
+        model.mirror_leaves = facet_leaves(mirrored, g.plane);                                     \
+        model.alpha_x = g.ax;                                                                      \
+        model.alpha_y = g.ay;                                                                      \
+        model.wi = out(g.wi);                                                                      \
+        memcpy(model.prepared, &s, sizeof s);                                                      \
+        return model;                                                                              \
     }                                                                                              \
     static facet_draw kernel##_row_draw(const model_type *model, real u1, real u2, real u3) {      \
         LOAD(kernel, s);                                                                           \
@@ -111,10 +117,6 @@ LOBE_MODELS(DEFINE_ROW)
 #undef DEFINE_ROW
 #undef LOAD
 
-#define ROW_INDEX(NDF, MASKING, METHOD, kernel) INDEX_##kernel,
-enum { LOBE_MODELS(ROW_INDEX) ROW_COUNT };
-#undef ROW_INDEX
-
 #define TABLE_ROW(NDF, MASKING, METHOD, kernel)                                                    \
     {kernel##_row_prepare, kernel##_row_draw,   kernel##_row_pdf,                                  \
      kernel##_row_eval_wo, kernel##_row_eval_m, kernel##_row_acceptance},
@@ -134,6 +136,12 @@ static int find_row(lobe_model m) {
     return known ? row_of[m.ndf][m.masking][m.method] - 1 : -1;
 }
 
+static model_type no_model(void) {
+    model_type model;
+    memset(&model, 0, sizeof model);
+    return model;
+}
+
 model_type LOBE_NAME(reflection_prepare_above)(lobe_reflection_options options, vec_type wi,
                                                real alpha_x, real alpha_y,
                                                vec_type geometric_normal) {
@@ -142,12 +150,8 @@ model_type LOBE_NAME(reflection_prepare_above)(lobe_reflection_options options, 
     choices.plane = in(geometric_normal);
     choices.floor_share = (real)options.floor;
     int index = find_row(options.model);
-    model_type model;
-    memset(&model, 0, sizeof model);
-    model.row = index < 0 ? 0 : index;
-    rows[model.row].prepare(&model, in(wi), alpha_x, alpha_y, choices);
-    if (index < 0) model.is_valid = model.is_mirror = 0;
-    return model;
+    if (index < 0) return no_model();
+    return rows[index].prepare(in(wi), alpha_x, alpha_y, choices);
 }
 
 model_type LOBE_NAME(reflection_prepare)(lobe_reflection_options options, vec_type wi, real alpha_x,
@@ -171,14 +175,16 @@ static draw_type mirror_draw(const model_type *model) {
 
 draw_type LOBE_NAME(reflection_sample)(const model_type *model, real u1, real u2, real u3) {
     if (model->is_mirror) return mirror_draw(model);
-    facet_draw k = rows[model->row].draw(model, k_unit(u1), k_unit(u2), k_unit(u3));
     draw_type d;
+    memset(&d, 0, sizeof d);
+    if (!model->is_valid) return d;
+    facet_draw k = rows[model->row].draw(model, k_unit(u1), k_unit(u2), k_unit(u3));
     d.m = out(k.m);
     d.wo = out(k.wo);
     d.cos_im = k.cos_im;
-    d.pdf_m = model->is_valid ? k.pdf_m : R(0.0);
-    d.pdf = model->is_valid ? k.pdf : R(0.0);
-    d.weight = model->is_valid ? k.weight : R(0.0);
+    d.pdf_m = k.pdf_m;
+    d.pdf = k.pdf;
+    d.weight = k.weight;
     return d;
 }
 
