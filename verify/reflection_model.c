@@ -12,6 +12,15 @@ static const double SPECIAL_ALPHA[] = {
     1e4, FLT_MAX, -FLT_MIN,     -1,           -FLT_MAX, INFINITY, -INFINITY, NAN};
 enum { SPECIAL_ALPHAS = sizeof SPECIAL_ALPHA / sizeof *SPECIAL_ALPHA };
 
+/* The degrees of a table are exact at the axes; their sines and cosines shall be too. */
+static void direction_at(double theta, double phi, double d[3]) {
+    const double degree = 0.01745329251994329577;
+    double sine = sin(theta * degree);
+    d[0] = sine * cos(phi * degree);
+    d[1] = sine * sin(phi * degree);
+    d[2] = theta == 90 ? 0 : cos(theta * degree);
+}
+
 #define REAL float
 #define NAME(stem) stem##_f32
 #include "reflection_model_template.h"
@@ -22,15 +31,6 @@ enum { SPECIAL_ALPHAS = sizeof SPECIAL_ALPHA / sizeof *SPECIAL_ALPHA };
 
 static double rounded(double x, lobe_precision precision) {
     return precision == LOBE_PRECISION_F32 ? (float)x : x;
-}
-
-/* The degrees of a table are exact at the axes; their sines and cosines shall be too. */
-static void incidence(const lobe_reflection_parameters *p, double wi[3]) {
-    const double degree = 0.01745329251994329577;
-    double sine = sin(p->theta * degree);
-    wi[0] = sine * cos(p->phi * degree);
-    wi[1] = sine * sin(p->phi * degree);
-    wi[2] = p->theta == 90 ? 0 : cos(p->theta * degree);
 }
 
 void lobe_reflection_model_name(lobe_model model, char *name, size_t name_size) {
@@ -49,9 +49,17 @@ void lobe_reflection_subject_name(lobe_reflection_parameters parameters, lobe_pr
     size_t length = strlen(name);
     snprintf(name + length, name_size - length, " %s",
              precision == LOBE_PRECISION_F32 ? "f32" : "f64");
-    snprintf(configuration, configuration_size, "alpha=%g,%g theta=%g phi=%g g2=%s", p->alpha_x,
-             p->alpha_y, p->theta, p->phi,
+    char tilt[40] = "";
+    if (p->tilt != 0) snprintf(tilt, sizeof tilt, " tilt=%g,%g", p->tilt, p->tilt_azimuth);
+    snprintf(configuration, configuration_size, "alpha=%g,%g theta=%g phi=%g%s g2=%s", p->alpha_x,
+             p->alpha_y, p->theta, p->phi, tilt,
              p->options.g2 == LOBE_G2_SEPARABLE ? "separable" : "correlated");
+}
+
+static void geometric_normal(const lobe_reflection_parameters *p, lobe_precision precision,
+                             double g[3]) {
+    direction_at(p->tilt, p->tilt_azimuth, g);
+    for (int k = 0; k < 3; ++k) g[k] = rounded(g[k], precision);
 }
 
 static void round_parameters(lobe_reflection_parameters *p, lobe_precision precision) {
@@ -70,12 +78,18 @@ void lobe_reflection_subject_make(lobe_reflection_subject *subject,
     model->name = subject->name;
     model->configuration = subject->configuration;
     model->self = &subject->parameters;
-    incidence(&parameters, model->wi);
+    direction_at(parameters.theta, parameters.phi, model->wi);
     for (int k = 0; k < 3; ++k) model->wi[k] = rounded(model->wi[k], precision);
     double ax = fmax(parameters.alpha_x, rounded(LOBE_ALPHA_MIN, precision));
     double ay = fmax(parameters.alpha_y, rounded(LOBE_ALPHA_MIN, precision));
     subject->chart = lobe_ggx_chart_prepare(model->wi, ax, ay);
     model->chart = lobe_ggx_chart_view(&subject->chart);
+    if (parameters.tilt != 0) {
+        double plane[3];
+        geometric_normal(&parameters, precision, plane);
+        subject->plane_chart = lobe_plane_chart_prepare(model->wi, plane, ax, ay);
+        model->chart = lobe_plane_chart_view(&subject->plane_chart);
+    }
     model->is_reciprocal = 1;
     model->is_mirror = fmax(parameters.alpha_x, parameters.alpha_y) < LOBE_ALPHA_MIN;
 

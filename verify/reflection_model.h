@@ -6,6 +6,7 @@
 
 #include "ggx_chart.h"
 #include "model.h"
+#include "plane_chart.h"
 
 typedef enum lobe_precision {
     LOBE_PRECISION_F32,
@@ -16,13 +17,15 @@ typedef enum lobe_precision {
 typedef struct lobe_reflection_parameters {
     lobe_reflection_options options;
     double alpha_x, alpha_y;
-    double theta, phi; /* of wi, degrees */
+    double theta, phi;         /* of wi, degrees */
+    double tilt, tilt_azimuth; /* of the geometric normal, degrees; tilt 0: there is none */
 } lobe_reflection_parameters;
 
 /* Stays where it is made: the model points into it. */
 typedef struct lobe_reflection_subject {
     lobe_reflection_parameters parameters;
     lobe_ggx_chart chart;
+    lobe_plane_chart plane_chart; /* where the geometric normal is tilted */
     lobe_verify_model twin;
     lobe_verify_model model;
     char name[48];

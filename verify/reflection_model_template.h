@@ -19,8 +19,10 @@ static const MODEL *NAME(view)(const lobe_verify_state *state) {
 
 static void NAME(prepare_with)(const lobe_reflection_parameters *p, const double wi[3],
                                double alpha_x, double alpha_y, lobe_verify_state *state) {
-    MODEL ggx =
-        NAME(lobe_reflection_prepare)(p->options, NAME(vector)(wi), (REAL)alpha_x, (REAL)alpha_y);
+    double plane[3];
+    direction_at(p->tilt, p->tilt_azimuth, plane);
+    MODEL ggx = NAME(lobe_reflection_prepare_above)(p->options, NAME(vector)(wi), (REAL)alpha_x,
+                                                    (REAL)alpha_y, NAME(vector)(plane));
     _Static_assert(sizeof ggx <= sizeof state->bytes, "lobe_verify_state is too small");
     memcpy(state->bytes, &ggx, sizeof ggx);
 }

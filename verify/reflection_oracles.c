@@ -87,6 +87,7 @@ void lobe_reflection_set_oracles(lobe_reflection_subject *subject) {
     const method_facts *facts = &SMITH_GGX[row.method];
     surface s = surface_of(subject);
     if (facts->weight_bound > 0) model->weight_bound = facts->weight_bound;
+    if (subject->parameters.tilt != 0) return; /* no closed form knows the second plane */
     model->accepted_oracle = accepted_share(&s, facts->coverage, &subject->chart);
     model->albedo_oracle = albedo(&s);
     if (facts->coverage == COVERAGE_CAP && s.alpha == 1 && s.mu > 0) {

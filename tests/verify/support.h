@@ -46,7 +46,7 @@ static inline lobe_reflection_parameters ggx_parameters(lobe_method method, doub
                                                         double alpha_y, double theta, double phi) {
     lobe_reflection_options options = lobe_reflection_default_options();
     options.model.method = method;
-    return (lobe_reflection_parameters){options, alpha_x, alpha_y, theta, phi};
+    return (lobe_reflection_parameters){options, alpha_x, alpha_y, theta, phi, 0, 0};
 }
 
 #endif
