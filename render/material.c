@@ -23,8 +23,9 @@ surface lobe_surface_at(const surface_options *options, frame shading, vec3 geom
         .frame = shading, .geometric = geometric, .base_color = base_color, .metallic = metallic};
     lobe_vec3_f32 wi = frame_to_local(&shading, to_viewer);
     float alpha = roughness * roughness;
-    s.ggx = lobe_reflection_prepare_f32(options->ggx, wi, alpha * (1.0f + anisotropy),
-                                        alpha * (1.0f - anisotropy));
+    s.ggx = lobe_reflection_prepare_above_f32(options->ggx, wi, alpha * (1.0f + anisotropy),
+                                              alpha * (1.0f - anisotropy),
+                                              frame_to_local(&shading, geometric));
     s.specular = 1.0f;
     if (metallic >= 1.0f) return s;
     s.coat = lobe_coat_at(options->coat, &s.ggx);
@@ -53,8 +54,8 @@ static surface_draw rejected(int is_ggx) {
 
 static surface_draw draw_ggx(const surface *s, float u1, float u2) {
     lobe_reflection_draw_f32 d = lobe_reflection_sample_f32(&s->ggx, u1, u2, 0.0f);
+    if (!(d.pdf > 0.0f)) return rejected(1);
     vec3 direction = frame_to_world(&s->frame, d.wo);
-    if (!(d.pdf > 0.0f) || !(v3_dot(direction, s->geometric) > 0.0f)) return rejected(1);
     surface_draw draw = {.direction = direction, .pdf = d.pdf, .is_ggx = 1};
     if (s->ggx.is_mirror || s->specular >= 1.0f) {
         /* the weight of the draw itself: exact, no density is divided out */

@@ -4,7 +4,7 @@
  *     lobe_film *film = NULL;
  *     lobe_render_options options = lobe_render_default_options();
  *     options.samples = 64;
- *     options.reflection.method = LOBE_METHOD_BOUNDED;
+ *     options.reflection.model.method = LOBE_METHOD_BOUNDED;
  *     if (lobe_scene_load("gallery", lobe_scene_default_options(), &scene) != LOBE_RENDER_OK ||
  *         lobe_render(scene, options, &film, NULL) != LOBE_RENDER_OK ||
  *         lobe_film_write(film, "gallery.png", lobe_film_default_write_options()) != LOBE_RENDER_OK)
