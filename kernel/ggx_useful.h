@@ -10,8 +10,48 @@
 
 #include "ggx.h"
 
-/* The positive eigenvalue of Q: the root of the convex, decreasing
- * f(L) = r - L + i_x^2/(L + c_x) + i_y^2/(L + c_y), by Newton from below. */
+/* Steps to the eigenvalue. Relative errors from the start on, over all of the roughness that a base
+ * admits and any i: 1, 2.3e-3, 1.7e-10, below 1e-15. */
+#define GGX_USEFUL_STEPS (2 + K_IS_F64)
+
+/* The cone's axis and what comes with it. */
+K_STRUCT(ggx_useful) {
+    real c;
+    real cx;
+    real cy;
+    real r;
+    real lambda;
+    real lambda_minus_r; /* each of these a sum of positive terms */
+    real minor_product;  /* of the two eigenvalues of -Q across the axis */
+    v3 axis;             /* n; n_z > 0 */
+    real nu;
+};
+
+/* One step to the root of f(L) = r - L + x2/(L + cx) + y2/(L + cy), convex and decreasing: the two
+ * poles are replaced by one pole and a constant of the same value, slope and curvature, and the
+ * quadratic that is left is solved. Of third order, and it does not mind how far apart cx and cy are;
+ * Newton's step does. */
+K_FN real ggx_useful_step(real l, real x2, real y2, real cx, real cy, real r) {
+    real px = l + cx;
+    real py = l + cy;
+    real inv = R(1.0) / (px * py);
+    real inv_x = py * inv;
+    real inv_y = px * inv;
+    real term_x = x2 * inv_x;
+    real term_y = y2 * inv_y;
+    real f = r - l + (term_x + term_y);
+    real slope_x = term_x * inv_x;
+    real slope_y = term_y * inv_y;
+    real slope = slope_x + slope_y;
+    real distance = slope / k_max(slope_x * inv_x + slope_y * inv_y, K_TINY);
+    real b = distance * (R(1.0) + slope) - f;
+    real fd = R(2.0) * f * distance;
+    real root = k_sqrt(k_max(b * b + R(2.0) * fd, R(0.0)));
+    return l + fd / k_max(b + root, K_TINY);
+}
+
+/* The positive eigenvalue for i_z > 0. The start replaces both poles by one at their mean (Jensen: from
+ * below; exact for isotropic roughness). */
 K_FN real ggx_useful_eigenvalue(v3 i, real cx, real cy, real r) {
     real x2 = i.x * i.x;
     real y2 = i.y * i.y;
@@ -22,34 +62,36 @@ K_FN real ggx_useful_eigenvalue(v3 i, real cx, real cy, real r) {
     real root = k_sqrt(half_sum * half_sum + rho2);
     real falling = (r * mean_c + rho2) / k_max(root - half_gap, K_TINY);
     real l = k_select(half_gap >= R(0.0), half_gap + root, falling);
-    for (int step = 0; step < 3; ++step) {
-        real inv_x = R(1.0) / (l + cx);
-        real inv_y = R(1.0) / (l + cy);
-        real term_x = x2 * inv_x;
-        real term_y = y2 * inv_y;
-        l = l + (r - l + term_x + term_y) / (R(1.0) + term_x * inv_x + term_y * inv_y);
-    }
+    for (int step = 0; step < GGX_USEFUL_STEPS; ++step) l = ggx_useful_step(l, x2, y2, cx, cy, r);
     return l;
 }
 
-/* a b nu */
-K_FN real ggx_useful_area(ggx_base g) {
+K_FN ggx_useful ggx_useful_of(ggx_base g) {
     v3 i = g.i_std;
-    real c = k_max(i.z, R(0.0));
-    real cx = c * g.ax * g.ax;
-    real cy = c * g.ay * g.ay;
-    real r = R(2.0) * i.z - c;
-    real l = ggx_useful_eigenvalue(i, cx, cy, r);
-    real nx = i.x / (l + cx);
-    real ny = i.y / (l + cy);
+    ggx_useful s;
+    s.c = k_max(i.z, R(0.0));
+    s.cx = s.c * g.ax * g.ax;
+    s.cy = s.c * g.ay * g.ay;
+    s.r = R(2.0) * i.z - s.c;
+    /* from behind and at grazing incidence L = 1 + i_z */
+    real front = ggx_useful_eigenvalue(i, s.cx, s.cy, s.r);
+    s.lambda = k_select(i.z > R(0.0), front, g.one_plus_z);
+    real nx = i.x / (s.lambda + s.cx);
+    real ny = i.y / (s.lambda + s.cy);
     real nz = R(1.0) / k_sqrt(nx * nx + ny * ny + R(1.0));
-    /* l - r by the eigenvalue equation: a sum of positive terms */
-    real l_minus_r = i.x * nx + i.y * ny;
-    real nu = (l_minus_r + i.z) * nz;
-    /* 1/(a b)^2 = (1 + l1/l)(1 + l2/l): trace and determinant give the sum and the product */
-    real sum = l_minus_r + cx + cy;
-    real product = (cx * cy * r + cx * i.y * i.y + cy * i.x * i.x) / l;
-    return nu * l / k_sqrt(l * (l + sum) + product);
+    s.axis = v3_of(nx * nz, ny * nz, nz);
+    /* by the eigenvalue equation */
+    s.lambda_minus_r = i.x * nx + i.y * ny;
+    s.minor_product = (s.cx * s.cy * s.r + s.cx * i.y * i.y + s.cy * i.x * i.x) / s.lambda;
+    s.nu = (s.lambda_minus_r + i.z) * nz;
+    return s;
+}
+
+/* a b nu, by 1/(a b)^2 = (1 + l1/L)(1 + l2/L): trace and determinant give the sum and the product */
+K_FN real ggx_useful_area(ggx_base g) {
+    ggx_useful s = ggx_useful_of(g);
+    real sum = s.lambda_minus_r + s.cx + s.cy;
+    return s.nu * s.lambda / k_sqrt(s.lambda * (s.lambda + sum) + s.minor_product);
 }
 
 #endif
