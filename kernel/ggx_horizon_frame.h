@@ -53,7 +53,7 @@ K_STRUCT(ggx_horizon_angle) {
     real s;
 };
 
-/* -Q across n in the basis t_j = x_j - h_j (n + z), h_j = n_j/(1 + n_z). Since Q n = L n,
+/* -Q across n, inv = 1/(1 + n_z), in the basis t_j = x_j - h_j (n + z), h_j = n_j/(1 + n_z). Since Q n = L n,
  *     B_jk = L h_j h_k - q_j^T Q q_k,   q_j = x_j - h_j z,
  * and for the horizon's form every term of it is positive. */
 K_STRUCT(ggx_horizon_across) {
@@ -64,8 +64,8 @@ K_STRUCT(ggx_horizon_across) {
     real h2;
 };
 
-K_FN ggx_horizon_across ggx_horizon_across_of(ggx_horizon_form q, v3 n, real lambda_minus_zz) {
-    real inv = R(1.0) / (R(1.0) + n.z);
+K_FN ggx_horizon_across ggx_horizon_across_of(ggx_horizon_form q, v3 n, real inv,
+                                              real lambda_minus_zz) {
     ggx_horizon_across f;
     f.h1 = n.x * inv;
     f.h2 = n.y * inv;
@@ -75,68 +75,67 @@ K_FN ggx_horizon_across ggx_horizon_across_of(ggx_horizon_form q, v3 n, real lam
     return f;
 }
 
-/* The ellipse of a form: its positive eigenvalue, the unit eigenvector n (n_z > 0), L - zz and the
- * product of its other two eigenvalues (det Q/L), the last two from whoever knows how they do not
- * cancel; i is the stretched wi, nu = n.i. */
+/* The ellipse of a form: its positive eigenvalue, the unit eigenvector n (n_z > 0), L - zz and det Q, the
+ * last two from whoever knows how they do not cancel; i is the stretched wi, nu = n.i. */
 K_FN ggx_horizon_frame ggx_horizon_frame_of_form(ggx_horizon_form q, v3 n, real lambda,
-                                                 real lambda_minus_zz, real minor_product, v3 i,
-                                                 real nu) {
-    ggx_horizon_across f = ggx_horizon_across_of(q, n, lambda_minus_zz);
+                                                 real lambda_minus_zz, real det, v3 i, real nu) {
+    real inv_both = R(1.0) / ((R(1.0) + n.z) * nu);
+    real inv_nu = (R(1.0) + n.z) * inv_both;
+    ggx_horizon_across f = ggx_horizon_across_of(q, n, nu * inv_both, lambda_minus_zz);
     real gap = R(0.5) * (f.b11 - f.b22);
     real radius2 = gap * gap + f.b12 * f.b12;
     real radius = k_sqrt(radius2);
     real l1 = k_max(R(0.5) * (f.b11 + f.b22) + radius, K_TINY);
-    real l2 = k_min(k_max(minor_product / l1, R(0.0)), l1);
+    real sum1 = lambda + l1;
+    real inv_all = R(1.0) / (lambda * l1 * sum1);
+    real inv_sum1 = lambda * l1 * inv_all;
+    real l2 = k_min(k_max(det * sum1 * inv_all, R(0.0)), l1);
+    real inv_sum2 = R(1.0) / (lambda + l2);
 
-    /* half of the angle whose cosine and sine are gap/radius and b12/radius; any where they are 0 */
-    bool turns = radius2 > K_TINY;
+    /* half of the angle whose cosine and sine are gap/radius and b12/radius, up to half a turn; any angle
+     * where those are 0 */
     real along = radius + k_abs(gap);
-    real inv_norm = R(1.0) / k_sqrt(k_max(along * along + f.b12 * f.b12, K_TINY));
-    real larger = along * inv_norm;
-    real smaller = k_abs(f.b12) * inv_norm;
-    real c = k_select(gap < R(0.0), smaller, larger);
-    real s = k_sign(f.b12) * k_select(gap < R(0.0), larger, smaller);
+    bool turns = radius2 > K_TINY;
+    bool steep = gap < R(0.0);
+    real x = k_select(turns, k_select(steep, f.b12, along), R(1.0));
+    real y = k_select(turns, k_select(steep, along, f.b12), R(0.0));
+    real inv_norm = R(1.0) / k_sqrt(x * x + y * y);
 
     ggx_horizon_frame e;
-    e.turn_c = k_select(turns, c, R(1.0));
-    e.turn_s = k_select(turns, s, R(0.0));
+    e.turn_c = x * inv_norm;
+    e.turn_s = y * inv_norm;
     v3 t1 = v3_of(R(1.0) - f.h1 * n.x, -f.h1 * n.y, -n.x);
     v3 t2 = v3_of(t1.y, R(1.0) - f.h2 * n.y, -n.y);
     e.n = n;
     e.e1 = v3_add(v3_scale(t1, e.turn_c), v3_scale(t2, e.turn_s));
     e.e2 = v3_sub(v3_scale(t2, e.turn_c), v3_scale(t1, e.turn_s));
 
-    real sum1 = lambda + l1;
-    real sum2 = lambda + l2;
-    real inv_sum1 = R(1.0) / sum1;
-    real inv_sum2 = R(1.0) / sum2;
     e.lambda = lambda;
     e.a = k_sqrt(lambda * inv_sum1);
     e.b = k_sqrt(lambda * inv_sum2);
     e.g1 = l1 * inv_sum1;
     e.g2 = l2 * inv_sum2;
     e.nu = nu;
-    real inv_nu = R(1.0) / nu;
     e.k1 = e.a * v3_dot(i, e.e1) * inv_nu;
     e.k2 = e.b * v3_dot(i, e.e2) * inv_nu;
     return e;
 }
 
-K_FN ggx_horizon_form ggx_horizon_form_of(ggx_useful u, v3 i) {
+K_FN ggx_horizon_form ggx_horizon_form_of(ggx_useful u) {
     ggx_horizon_form q;
     q.xx = -u.cx;
     q.yy = -u.cy;
     q.zz = u.r;
     q.xy = R(0.0);
-    q.xz = i.x;
-    q.yz = i.y;
+    q.xz = u.i.x;
+    q.yz = u.i.y;
     return q;
 }
 
 /* The ellipse of the reflections above the surface. */
-K_FN ggx_horizon_frame ggx_horizon_frame_of(ggx_base g, ggx_useful u) {
-    return ggx_horizon_frame_of_form(ggx_horizon_form_of(u, g.i_std), u.axis, u.lambda,
-                                     u.lambda_minus_r, u.minor_product, g.i_std, u.nu);
+K_FN ggx_horizon_frame ggx_horizon_frame_of(ggx_useful u) {
+    return ggx_horizon_frame_of_form(ggx_horizon_form_of(u), u.axis, u.lambda, u.lambda_minus_r,
+                                     u.det, u.i, u.nu);
 }
 
 /* The direction at angle 2 pi u1 of the continuous basis, seen from (e1, e2). */
