@@ -10,9 +10,10 @@
 /* All methods have one signature: what a method does not need it still takes. */
 #pragma GCC diagnostic ignored "-Wunused-parameter"
 
-/* A loop becomes vectors only if everything in it is inlined: who has loops may say so. */
+/* Always: a loop becomes vectors only if everything in it is inlined, and a prepared model passed by value
+ * would be copied through memory. */
 #ifndef K_FN
-#define K_FN static inline
+#define K_FN static inline __attribute__((always_inline))
 #endif
 #define K_STRUCT(name)                                                                             \
     typedef struct name name;                                                                      \

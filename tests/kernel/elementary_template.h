@@ -6,6 +6,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 
+#include "kernel/arc.h"
 #include "kernel/ggx.h"
 #include "kernel/kepler.h"
 #include "kernel/log.h"
@@ -33,6 +34,19 @@ static void logarithm(void **state) {
         long double exact = logl((long double)x);
         assert_true(fabsl((long double)k_log(x) - exact) <= 2 * ULP * fabsl(exact));
     }
+}
+
+static void inverses_of_tangent_and_sinh(void **state) {
+    (void)state;
+    for (int k = -3000; k <= 3000; ++k) {
+        real size = (real)expl(0.0071L * k + 1e-4L * (k % 7)), x = k % 2 ? size : -size;
+        long double angle = atanl((long double)x), area = asinhl((long double)x);
+        assert_true(fabsl((long double)k_angle(x, R(1.0)) - angle) <= 2.5 * ULP * fabsl(angle));
+        assert_true(fabsl((long double)k_asinh(x) - area) <= 4 * ULP * fabsl(area));
+    }
+    assert_true(k_angle(R(0.0), R(0.0)) == R(0.0));
+    assert_true(k_abs(k_angle(R(1.0), R(0.0)) - R(0.5) * K_PI) < (real)ULP);
+    assert_true(k_asinh(R(0.0)) == R(0.0));
 }
 
 static void kepler_residual(void **state) {
@@ -63,6 +77,7 @@ static void masking(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(sine_and_cosine), cmocka_unit_test(logarithm),
-        cmocka_unit_test(kepler_residual), cmocka_unit_test(masking)};
+        cmocka_unit_test(inverses_of_tangent_and_sinh), cmocka_unit_test(kepler_residual),
+        cmocka_unit_test(masking)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

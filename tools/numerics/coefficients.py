@@ -5,7 +5,7 @@ Usage: tools/numerics/coefficients.py
 Prints for each the coefficients, lowest first, and the largest error of the fit. The first column of
 the output is the file that uses it; the precision is told by the number of coefficients there.
 """
-from mpmath import chebyfit, findroot, log, mp, mpf, factorial, nstr, nsum, pi, sin, cos, sqrt
+from mpmath import atan, chebyfit, findroot, log, mp, mpf, factorial, nstr, nsum, pi, sin, cos, sqrt
 
 mp.dps = 50
 
@@ -22,6 +22,12 @@ def atanh_tail(y):
         return mpf(2) / 3 + 2 * y / 5
     s = sqrt(y)
     return (log((1 + s) / (1 - s)) - 2 * s) / s**3
+
+
+def arc_ratio(x):
+    """atan(t)/t of x = t^2"""
+    t = sqrt(x)
+    return atan(t) / t if x > 0 else mpf(1)
 
 
 def sine_defect(y):
@@ -54,6 +60,7 @@ def fresnel_near_one(d):
 FITS = [
     ("trig.h", "sin", sine_ratio, 0, mpf(1) / 64, (4, 7)),
     ("trig.h", "cos", lambda x: cos(2 * pi * sqrt(x)), 0, mpf(1) / 64, (5, 8)),
+    ("arc.h", "atan", arc_ratio, 0, (sqrt(mpf(2)) - 1) ** 2, (6, 12)),
     ("log.h", "atanh tail", atanh_tail, 0, mpf("0.02945"), (4, 8)),
     ("kepler.h", "sine defect", sine_defect, 0, pi**2, (7, 11)),
     ("kepler.h", "start", kepler_start, 0, (6 * pi) ** (mpf(2) / 3), (5,)),

@@ -7,6 +7,7 @@
  * The figures stand at the foot of the kernel files. */
 #include "kernel/bind/c_f32.h"
 
+#include "kernel/arc.h"
 #include "kernel/kepler.h"
 #include "kernel/log.h"
 
@@ -31,6 +32,16 @@ static double spacing(double x) {
 static double log_error(float x) {
     double exact = log((double)x);
     return x == 1.0f ? fabs((double)k_log(x)) : fabs((double)k_log(x) - exact) / spacing(exact);
+}
+
+static double angle_error(float y) {
+    double exact = atan((double)y);
+    return fabs((double)k_angle(y, 1.0f) - exact) / spacing(exact);
+}
+
+static double asinh_error(float x) {
+    double exact = asinh((double)x);
+    return fabs((double)k_asinh(x) - exact) / spacing(exact);
 }
 
 static double kepler_error(float t) {
@@ -73,6 +84,8 @@ int main(void) {
     search("sin", "absolute", sine_error, 1e-6f, 1.0f);
     search("cos", "absolute", cosine_error, 1e-6f, 1.0f);
     search("log", "ulp", log_error, 1.17549435e-38f, 3.4028235e38f);
+    search("angle", "ulp", angle_error, 1e-6f, 1e6f);
+    search("asinh", "ulp", asinh_error, 1e-6f, 1e6f);
     search("kepler", "ulp", kepler_error, 1e-6f, 3.14159274f);
     return 0;
 }
