@@ -16,7 +16,7 @@
 K_STRUCT(ggx_horizon_set) {
     ggx_base g;
     ggx_horizon_frame f;
-    bool front; /* i_z > 0 */
+    kint front; /* i_z > 0 */
     real c;     /* max(i_std.z, 0) */
     real inv_ax;
     real inv_ay;
@@ -30,7 +30,7 @@ K_FN ggx_horizon_set ggx_horizon_set_of(ggx_base g, ggx_useful u) {
     ggx_horizon_set s;
     s.g = g;
     s.f = ggx_horizon_frame_of(u);
-    s.front = u.i.z > R(0.0);
+    s.front = k_flag(u.i.z > R(0.0));
     s.c = u.c;
     real axy = g.ax * g.ay;
     real ab = s.f.a * s.f.b;
@@ -47,7 +47,7 @@ K_FN ggx_horizon_set ggx_horizon_set_of(ggx_base g, ggx_useful u) {
 
 /* With no second plane every draw leaves; with one there is no closed form. */
 K_FN real ggx_horizon_set_acceptance(ggx_horizon_set s) {
-    return k_select(s.g.tilted, R(-1.0), R(1.0));
+    return k_select(k_is(s.g.tilted), R(-1.0), R(1.0));
 }
 
 /* z^2 = v + g1 y1^2 + g2 y2^2 */
@@ -57,7 +57,7 @@ K_FN real ggx_horizon_z(ggx_horizon_frame f, real v, real s, ggx_horizon_angle e
 
 /* What z^2 - (k.y)^2 has besides v, for one direction of y: g less k^2, nothing from behind. */
 K_FN real ggx_horizon_slack(ggx_horizon_set s, real g, real k2) {
-    return k_select(s.front, k_max(g - k2, R(0.0)), R(0.0));
+    return k_select(k_is(s.front), k_max(g - k2, R(0.0)), R(0.0));
 }
 
 /* p_y z/(m.i_std), held where it overflows; a draw and its density hold it alike */
@@ -101,7 +101,7 @@ K_FN ggx_horizon_arrival ggx_horizon_arrive(ggx_horizon_set s, real v, real rest
     /* by the m that came out, not by the formula: that keeps wo a unit vector to the last digits;
      * near the horizon, where it cancels, by what is left of v */
     v3 wo = v3_sub(v3_scale(to.pair.m, R(2.0) * v3_dot(g.wi, to.pair.m)), g.wi);
-    wo.z = k_select(s.front && wo.z < R(0.0625), s.rise * v * inv * inv, wo.z);
+    wo.z = k_select(k_and(k_is(s.front), wo.z < R(0.0625)), s.rise * v * inv * inv, wo.z);
     to.pair.wo = wo;
     to.pair.leaves = facet_leaves(wo, g.plane);
     return to;
@@ -110,12 +110,12 @@ K_FN ggx_horizon_arrival ggx_horizon_arrive(ggx_horizon_set s, real v, real rest
 /* D cancels from the weight: it is made of the shadowing and the spread alone. */
 K_FN facet_draw ggx_horizon_draw_of(ggx_horizon_set s, facet_pair pair, real spread) {
     real pdf = s.pdf_scale * pair.d * spread;
-    bool valid = s.g.valid && pair.leaves && k_usable(pdf) > R(0.0);
+    bool valid = k_and(k_is(s.g.valid), k_and(pair.leaves, k_usable(pdf) > R(0.0)));
     facet_draw draw;
     draw.m = pair.m;
     draw.wo = pair.wo;
     draw.cos_im = pair.cos_im;
-    draw.pdf_m = k_select(s.g.valid, k_usable(R(4.0) * pair.cos_im * pdf), R(0.0));
+    draw.pdf_m = k_select(k_is(s.g.valid), k_usable(R(4.0) * pair.cos_im * pdf), R(0.0));
     draw.pdf = k_select(valid, pdf, R(0.0));
     real weight = s.share * ggx_shadowing(s.g, pair.wo) / spread;
     draw.weight = k_select(valid, k_usable(weight), R(0.0));
@@ -133,7 +133,7 @@ K_STRUCT(ggx_horizon_point) {
 };
 
 K_FN bool ggx_horizon_holds(facet_pair pair) {
-    return pair.wo.z > R(0.0) && pair.m.z > R(0.0) && pair.cos_im > R(0.0);
+    return k_and(pair.wo.z > R(0.0), k_and(pair.m.z > R(0.0), pair.cos_im > R(0.0)));
 }
 
 K_FN ggx_horizon_point ggx_horizon_point_of(ggx_horizon_set s, facet_pair pair) {
@@ -147,7 +147,7 @@ K_FN ggx_horizon_point ggx_horizon_point_of(ggx_horizon_set s, facet_pair pair) 
     real from_wo = pair.wo.z * am2 / s.rise;
     real from_m = R(2.0) * p.im * pair.m.z * am / f.lambda;
     /* not 0: it is divided by, and cubed */
-    p.v = k_min(k_max(k_select(s.front, from_wo, from_m), R(1e-5) * K_EPS), R(1.0));
+    p.v = k_min(k_max(k_select(k_is(s.front), from_wo, from_m), R(1e-5) * K_EPS), R(1.0));
     p.rest = R(1.0) - p.v;
     real y1 = f.b * v3_dot(w, f.e1);
     real y2 = f.a * v3_dot(w, f.e2);

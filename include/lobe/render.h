@@ -152,7 +152,7 @@ typedef struct lobe_render_progress {
 typedef void (*lobe_progress_function)(void *user, const lobe_render_progress *progress);
 
 typedef struct lobe_render_options {
-    lobe_reflection_options reflection; /* default lobe_reflection_default_options() */
+    lobe_reflection_options reflection; /* default lobe_reflection_default_options(), floor 0.1 */
     int width, height;                  /* pixels, 1 to LOBE_RENDER_SIZE_MAX; default 960 x 540 */
     uint32_t samples;   /* camera paths a pixel, 1 to LOBE_RENDER_SAMPLES_MAX; default 64 */
     int depth;          /* greatest number of surface scatterings on a path, 0 to 1000000; 8 */

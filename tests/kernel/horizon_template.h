@@ -97,7 +97,7 @@ static void density_of_a_draw(void **state) {
         facet_pair own = pair;
         own.m = d.m;
         own.cos_im = d.cos_im;
-        own.d = ggx_d(d.m, g.ax, g.ay);
+        own.d = ggx_d(g, d.m);
         double of_own = fabs((double)(any_pdf(&s, own) / d.pdf) - 1);
         double of_wo = fabs((double)(any_pdf(&s, pair) / d.pdf) - 1);
         double cancels = (double)(d.cos_im * (ax < ay ? ax : ay));
