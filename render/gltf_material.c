@@ -9,13 +9,13 @@
 enum { UNREAD = -2 };
 typedef struct picture {
     int as_values, as_color;
+    int is_missing; /* and that was said */
 } picture;
 
 typedef struct material_reader {
     lobe_scene *scene;
     gltf_reader *reader;
-    const lobe_scene_options *options;
-    picture *pictures; /* of each image */
+    picture *pictures; /* of each image; the last one is for textures without */
 } material_reader;
 
 static float unit(double x) {
@@ -28,38 +28,45 @@ static float finite_or(double x, float fallback) {
 
 /* ---- Textures ------------------------------------------------------------------------------------ */
 
-static int read_picture(material_reader *k, int index, int is_srgb) {
-    const gltf_image *image = &k->reader->model->images[index];
-    texture t;
+static int read_picture(material_reader *k, size_t index, texture *t, int is_srgb) {
+    const gltf_model *m = k->reader->model;
+    if (index == m->image_count) return 0;
+    const gltf_image *image = &m->images[index];
     gltf_bytes bytes = image->bytes;
-    if (image->view >= 0 && lobe_gltf_view_bytes(k->reader, image->view, &bytes) != LOBE_RENDER_OK)
-        bytes.size = 0;
-    if (lobe_texture_read_memory(&t, bytes.data, bytes.size, is_srgb))
-        return lobe_scene_add_texture(k->scene, t);
-    /* tinygltf leaves some names alone: see what lies beside under the name as it is */
-    const int is_outside = image->view < 0 && bytes.size == 0 && image->uri[0];
-    if (is_outside && lobe_import_texture_beside(k->reader->path, image->uri, &t, is_srgb))
-        return lobe_scene_add_texture(k->scene, t);
-    char name[40];
-    snprintf(name, sizeof name, "of image %d", index);
-    return lobe_import_missing_texture(k->scene, k->reader->path, is_outside ? image->uri : name,
-                                       is_srgb);
+    if (image->view >= 0)
+        return lobe_gltf_view_bytes(k->reader, image->view, &bytes) == LOBE_RENDER_OK &&
+               lobe_texture_read_memory(t, bytes.data, bytes.size, is_srgb);
+    if (bytes.size > 0) return lobe_texture_read_memory(t, bytes.data, bytes.size, is_srgb);
+    /* tinygltf misses some names: see what lies beside under the name as it is */
+    return image->uri[0] && lobe_import_texture_beside(k->reader->path, image->uri, t, is_srgb);
 }
 
-/* A texture without a picture that can be used is missing, too. */
-static int read_source(material_reader *k, int index, int is_srgb) {
+/* Say once that a picture is missing. */
+static void miss_picture(material_reader *k, size_t index) {
     const gltf_model *m = k->reader->model;
-    const int image =
-        index >= 0 && (size_t)index < m->texture_count ? m->textures[index].image : -1;
-    if (image < 0 || (size_t)image >= m->image_count) {
-        char name[40];
-        snprintf(name, sizeof name, "number %d", index);
-        return lobe_import_missing_texture(k->scene, k->reader->path, name, is_srgb);
-    }
-    picture *p = &k->pictures[image];
+    char name[40] = "without a picture";
+    if (k->pictures[index].is_missing) return;
+    k->pictures[index].is_missing = 1;
+    if (index < m->image_count) snprintf(name, sizeof name, "of image %zu", index);
+    const int has_uri = index < m->image_count && m->images[index].uri[0];
+    lobe_import_missing_texture(k->scene, k->reader->path, has_uri ? m->images[index].uri : name);
+}
+
+/* Index in the scene of what a texture of the file shows. */
+static int read_source(material_reader *k, int texture_index, int is_srgb) {
+    const gltf_model *m = k->reader->model;
+    const int image = texture_index >= 0 && (size_t)texture_index < m->texture_count
+                          ? m->textures[texture_index].image
+                          : -1;
+    const size_t index =
+        image >= 0 && (size_t)image < m->image_count ? (size_t)image : m->image_count;
+    picture *p = &k->pictures[index];
     int *known = is_srgb ? &p->as_color : &p->as_values;
-    if (*known == UNREAD) *known = read_picture(k, image, is_srgb);
-    return *known;
+    if (*known != UNREAD) return *known;
+    texture t;
+    if (read_picture(k, index, &t, is_srgb)) return *known = lobe_scene_add_texture(k->scene, t);
+    miss_picture(k, index);
+    return *known = lobe_import_magenta(k->scene, is_srgb);
 }
 
 static texture_wrap wrap_of(int gltf_wrap) {
@@ -140,6 +147,8 @@ static material read_material(material_reader *k, const gltf_material *from,
     m.stretch_x = cosf(finite_or(from->anisotropy_rotation, 0.0f));
     m.stretch_y = sinf(finite_or(from->anisotropy_rotation, 0.0f));
     if (m.stretch > 0.0f) m.stretch_map = read_map(k, &from->anisotropic, 0, needs);
+    /* tangents are along the first set, if nothing asks for another one */
+    if (m.stretch > 0.0f && needs->uv_sets[0] < 0) needs->uv_sets[0] = 0;
     return m;
 }
 
@@ -147,13 +156,13 @@ lobe_render_result lobe_gltf_read_materials(lobe_scene *s, gltf_reader *r,
                                             const lobe_scene_options *options,
                                             material_needs **needs) {
     const gltf_model *m = r->model;
-    material_reader k = {s, r, options, malloc((m->image_count + 1) * sizeof *k.pictures)};
+    material_reader k = {s, r, malloc((m->image_count + 1) * sizeof *k.pictures)};
     *needs = malloc((m->material_count + 1) * sizeof **needs);
     if (!k.pictures || !*needs) {
         free(k.pictures);
         return lobe_fail_memory(r->path);
     }
-    for (size_t i = 0; i < m->image_count; i++) k.pictures[i] = (picture){UNREAD, UNREAD};
+    for (size_t i = 0; i <= m->image_count; i++) k.pictures[i] = (picture){UNREAD, UNREAD, 0};
     for (size_t i = 0; i <= m->material_count; i++) {
         material_needs *n = &(*needs)[i];
         *n = (material_needs){0, {-1, -1}};

@@ -70,11 +70,14 @@ int lobe_import_texture_beside(const char *scene_path, const char *name, texture
     return lobe_texture_read_file(t, path, is_srgb);
 }
 
-int lobe_import_missing_texture(lobe_scene *s, const char *path, const char *name, int is_srgb) {
-    texture t;
+void lobe_import_missing_texture(lobe_scene *s, const char *path, const char *name) {
     s->info.missing_textures++;
     lobe_warn(&s->warnings, "%s: texture %s is missing or unreadable; it is shown in magenta", path,
               name);
+}
+
+int lobe_import_magenta(lobe_scene *s, int is_srgb) {
+    texture t;
     if (!is_srgb || !lobe_texture_solid(&t, v3(1.0f, 0.0f, 1.0f), 1)) return NO_TEXTURE;
     return lobe_scene_add_texture(s, t);
 }
@@ -85,7 +88,8 @@ static int read_new(texture_reader *r, const char *name, int is_srgb) {
     if (embedded ? read_embedded(embedded, &t, is_srgb)
                  : lobe_import_texture_beside(r->path, name, &t, is_srgb))
         return lobe_scene_add_texture(r->scene, t);
-    return lobe_import_missing_texture(r->scene, r->path, name, is_srgb);
+    lobe_import_missing_texture(r->scene, r->path, name);
+    return lobe_import_magenta(r->scene, is_srgb);
 }
 
 /* Without memory for the note the texture is read again, which is slow and not wrong. */

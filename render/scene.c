@@ -141,6 +141,9 @@ static double power_of_lamp(const lobe_scene *s, const lamp *l) {
     return radius * radius * intensity;
 }
 
+/* Sums of powers stay finite, whatever a file says. */
+static const double POWER_MAX = 1e60;
+
 /* Lights are chosen by power. */
 static int collect_lights(lobe_scene *s) {
     s->lights = malloc((s->triangle_count + 1) * sizeof *s->lights);
@@ -156,10 +159,11 @@ static int collect_lights(lobe_scene *s) {
         t->light = (int32_t)s->light_count;
         s->lights[s->light_count] = i;
         s->light_areas[s->light_count] = area;
-        powers[s->light_count++] = (double)(area * v3_luminance(m->emission));
+        powers[s->light_count++] =
+            fmin((double)area * (double)v3_luminance(m->emission), POWER_MAX);
     }
     for (uint32_t i = 0; ok && i < s->lamp_count; i++)
-        powers[s->light_count + i] = power_of_lamp(s, &s->lamps[i]);
+        powers[s->light_count + i] = fmin(power_of_lamp(s, &s->lamps[i]), POWER_MAX);
     ok = ok && lobe_alias_create(&s->light_table, powers, s->light_count + s->lamp_count);
     free(powers);
     return ok;
