@@ -358,6 +358,18 @@ void describe(document &d) {
     find_roots(d);
 }
 
+/* tinygltf ends its messages with a line end, or joins several. */
+std::string one_line(const std::string &message) {
+    std::string line;
+    for (const char c : message)
+        if (c != '\n')
+            line += c;
+        else if (line.empty() || line.back() != ' ')
+            line += ' ';
+    while (!line.empty() && line.back() == ' ') line.pop_back();
+    return line.empty() ? "not understood" : line;
+}
+
 /* Empty: it is read. */
 std::string read(document &d, const unsigned char *glb, std::size_t size, const char *folder) {
     tinygltf::TinyGLTF reader;
@@ -366,7 +378,7 @@ std::string read(document &d, const unsigned char *glb, std::size_t size, const 
     std::string error, warning;
     if (!reader.LoadBinaryFromMemory(&d.source, &error, &warning, glb, static_cast<unsigned>(size),
                                      folder))
-        return error.empty() ? "not understood" : error;
+        return one_line(error.empty() ? warning : error);
     describe(d);
     return std::string();
 }
