@@ -1,3 +1,4 @@
+/* libdraco behind gltf_draco.h. No exception leaves this file. */
 #include "gltf_draco.h"
 
 #include <cstdlib>
@@ -6,8 +7,6 @@
 #include <draco/compression/decode.h>
 
 namespace {
-
-using ids = const int (&)[GLTF_SEMANTICS];
 
 /* Greatest number of vertices or triangles that is believed. */
 constexpr std::size_t count_max = std::size_t{1} << 28;
@@ -37,7 +36,7 @@ bool copy_values(const draco::Mesh &mesh, const draco::PointAttribute &attribute
     return true;
 }
 
-bool decode(gltf_bytes packed, ids wanted, gltf_arrays &arrays) {
+bool decode(gltf_bytes packed, const int *ids, gltf_arrays &arrays) {
     draco::DecoderBuffer buffer;
     buffer.Init(reinterpret_cast<const char *>(packed.data), packed.size);
     draco::Decoder decoder;
@@ -48,9 +47,9 @@ bool decode(gltf_bytes packed, ids wanted, gltf_arrays &arrays) {
     arrays.vertex_count = mesh->num_points();
     if (!copy_indices(*mesh, arrays)) return false;
     for (int s = 0; s < GLTF_SEMANTICS; s++) {
-        if (wanted[s] < 0) continue;
+        if (ids[s] < 0) continue;
         const draco::PointAttribute *attribute =
-            mesh->GetAttributeByUniqueId(static_cast<uint32_t>(wanted[s]));
+            mesh->GetAttributeByUniqueId(static_cast<uint32_t>(ids[s]));
         if (!attribute) return false;
         const int channels = lobe_gltf_channels[s];
         arrays.values[s] = static_cast<float *>(std::calloc(
@@ -63,10 +62,9 @@ bool decode(gltf_bytes packed, ids wanted, gltf_arrays &arrays) {
 
 } // namespace
 
-int lobe_gltf_draco_decode(gltf_bytes packed, const int wanted[GLTF_SEMANTICS],
-                           gltf_arrays *arrays) {
+int lobe_gltf_draco_decode(gltf_bytes packed, const int ids[GLTF_SEMANTICS], gltf_arrays *arrays) {
     try {
-        return decode(packed, reinterpret_cast<ids>(*wanted), *arrays) ? 1 : 0;
+        return decode(packed, ids, *arrays) ? 1 : 0;
     } catch (...) {
         return 0;
     }
