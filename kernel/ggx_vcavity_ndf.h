@@ -1,0 +1,45 @@
+/* kernel/ggx_vcavity_ndf.h: V-cavities by all normals, D(m) m_z: the draws and densities of ggx_ndf.h,
+ * weighted with the masking of V-cavities. The reference for the others. */
+#ifndef K_GGX_VCAVITY_NDF_H
+#define K_GGX_VCAVITY_NDF_H
+
+#include "crescent.h"
+#include "ggx_useful.h"
+#include "ggx_vcavity_family.h"
+
+K_STRUCT(ggx_vcavity_ndf) {
+    ggx_vcavity_base g;
+};
+
+K_FN ggx_vcavity_ndf ggx_vcavity_ndf_prepare(ggx_vcavity_base g) {
+    ggx_vcavity_ndf s;
+    s.g = g;
+    return s;
+}
+
+K_FN real ggx_vcavity_ndf_pdf(ggx_vcavity_ndf s, facet_pair pair) {
+    return vcavity_ndf_pdf(pair);
+}
+
+K_FN real ggx_vcavity_ndf_pdf_m(ggx_vcavity_ndf s, facet_pair pair) {
+    return vcavity_ndf_pdf_m(pair);
+}
+
+/* The useful normals fill an ellipse across n (kernel/ggx_useful.h); seen from z its area is
+ * pi a b n_z, and nu = n.i = n_z (L - r + i_z). */
+K_FN real ggx_vcavity_ndf_acceptance(ggx_vcavity_ndf s) {
+    v3 i = s.g.ggx.i_std;
+    real c = k_max(i.z, R(0.0));
+    real l = ggx_useful_eigenvalue(i, c * s.g.ax * s.g.ax, c * s.g.ay * s.g.ay, R(2.0) * i.z - c);
+    real n_z_over_nu = R(1.0) / k_select(i.z > R(0.0), l, l - i.z);
+    return k_select(s.g.tilted, R(-1.0), ggx_useful_area(s.g.ggx) * n_z_over_nu);
+}
+
+K_FN facet_draw ggx_vcavity_ndf_draw(ggx_vcavity_ndf s, real u1, real u2, real u3) {
+    v3 h = crescent_point(R(1.0), R(0.0), u1, u2);
+    facet_pair pair = ggx_pair_of_stretched(s.g.ggx, h);
+    return vcavity_draw_of(s.g.cavity, s.g.valid, pair, vcavity_ndf_pdf_m(pair),
+                           vcavity_ndf_pdf(pair));
+}
+
+#endif

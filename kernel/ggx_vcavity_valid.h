@@ -1,0 +1,40 @@
+/* kernel/ggx_vcavity_valid.h: V-cavities, and where one side of a groove reflects into the surface and the
+ * other does not, the one that does not (this project's own; docs/departures.md). From below it is
+ * ggx_vcavity.h: there one side at most is seen, and its reflections leave. */
+#ifndef K_GGX_VCAVITY_VALID_H
+#define K_GGX_VCAVITY_VALID_H
+
+#include "ggx_vcavity_groove.h"
+#include "vcavity_side.h"
+
+K_STRUCT(ggx_vcavity_valid) {
+    ggx_vcavity_groove groove;
+};
+
+K_FN ggx_vcavity_valid ggx_vcavity_valid_prepare(ggx_vcavity_base g) {
+    ggx_vcavity_valid s;
+    s.groove = ggx_vcavity_groove_of(g);
+    return s;
+}
+
+K_FN real ggx_vcavity_valid_pdf(ggx_vcavity_valid s, facet_pair pair) {
+    return vcavity_leaving_side_pdf(s.groove.g.cavity, pair);
+}
+
+K_FN real ggx_vcavity_valid_pdf_m(ggx_vcavity_valid s, facet_pair pair) {
+    return vcavity_pdf_m_of(pair, ggx_vcavity_valid_pdf(s, pair));
+}
+
+K_FN real ggx_vcavity_valid_acceptance(ggx_vcavity_valid s) {
+    return vcavity_acceptance(s.groove.g.cavity);
+}
+
+K_FN facet_draw ggx_vcavity_valid_draw(ggx_vcavity_valid s, real u1, real u2, real u3) {
+    facet_pair side = ggx_vcavity_groove_draw(s.groove, u1, u2, u3);
+    facet_pair pair = vcavity_leaving_side(s.groove.g.cavity, side, u3);
+    real pdf = ggx_vcavity_valid_pdf(s, pair);
+    return vcavity_draw_of(s.groove.g.cavity, s.groove.g.valid, pair, vcavity_pdf_m_of(pair, pdf),
+                           pdf);
+}
+
+#endif
