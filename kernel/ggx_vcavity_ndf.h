@@ -42,4 +42,12 @@ K_FN facet_draw ggx_vcavity_ndf_draw(ggx_vcavity_ndf s, real u1, real u2, real u
                            vcavity_ndf_pdf(pair));
 }
 
+/* Worst errors of a draw in float, 2 10^7 random inputs (tools/numerics/vcavity_error.c: roughness 0.01 to
+ * 2, u2 up to 0.98, either side). As in ggx_ndf.h the
+ * rounding of a small i.m is what shows.
+ * wo:  7.1e-07 at wi (-0x1.7b3258p-1, 0x1.6cbb32p-4, 0x1.54fddep-1),
+ *      alpha (0x1.2ac13ep+0, 0x1.de2accp-3) u (0x1.46cb06p-1, 0x1.69db22p-2)
+ * pdf: 0.0088 relative at wi (0x1.af97bap-1, -0x1.ebd78p-2, -0x1.f04d2p-3),
+ *      alpha (0x1.90086ep+0, 0x1.b15fd6p-1) u (0x1.f365d2p-1, 0x1.69e194p-1) */
+
 #endif

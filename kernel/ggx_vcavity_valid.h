@@ -37,4 +37,13 @@ K_FN facet_draw ggx_vcavity_valid_draw(ggx_vcavity_valid s, real u1, real u2, re
                            pdf);
 }
 
+/* Worst errors of a draw in float, 2 10^7 random inputs (tools/numerics/vcavity_error.c: roughness 0.01 to
+ * 2, u2 up to 0.98, either side).
+ * wo:  0.00012 at wi (0x1.cbd0c6p-1, -0x1.c1befap-3, -0x1.863d5p-2),
+ *      alpha (0x1.3f6ac6p-2, 0x1.952402p-7) u (0x1.fff858p-1, 0x1.ff114cp-2, 0x1.518678p-2)
+ * pdf: 1.3e-05 relative at wi (0x1.ae90dap-1, -0x1.150cf8p-1, 0x1.2acp-14),
+ *      alpha (0x1.7dadf8p+0, 0x1.b8956p+0) u (0x1.6e8dfcp-2, 0x1.f7b852p-14, 0x1.f18c94p-2)
+ * Where the reflection of the other side is within rounding of the horizon the density jumps, by
+ * at most the factor <i,m> / (<i,m> + <i,m'>). */
+
 #endif
