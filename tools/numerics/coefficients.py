@@ -131,6 +131,14 @@ def erfinv_far(scale, shift):
     return function
 
 
+def vcavity_mean_erf(y):
+    """The mean of erf over [a, 3a], divided by a, of y = a^2"""
+    terms = lambda n: (-y) ** int(n) * (mpf(9) ** (n + 1) - 1) / (
+        factorial(n) * (2 * n + 1) * (2 * n + 2)
+    )
+    return nsum(terms, [0, 60]) / sqrt(pi)
+
+
 FITS = [
     ("trig.h", "sin", sine_ratio, 0, mpf(1) / 64, (4, 7)),
     ("trig.h", "cos", lambda x: cos(2 * pi * sqrt(x)), 0, mpf(1) / 64, (5, 8)),
@@ -145,6 +153,7 @@ FITS = [
     ("erfinv.h", "near", erfinv_ratio, 0, "6.25", (24,)),
     ("erfinv.h", "far", erfinv_far(12, "3.82"), -1, 1, (20,)),
     ("erfinv.h", "farthest", erfinv_far(mpf("14.5"), "2.43"), -1, 1, (20,)),
+    ("beckmann_vcavity_family.h", "mean erf", vcavity_mean_erf, 0, mpf(1) / 16, (6, 10)),
 ]
 
 # Fits whose coefficients are single-precision numbers already.
