@@ -1,6 +1,6 @@
 # The front door. The build itself is CMake's; see CMakePresets.json.
 
-.PHONY: all demo check clean help
+.PHONY: all demo check bench clean help
 
 all:
 	@tools/setup.sh build
@@ -14,6 +14,9 @@ check:
 	@tools/setup.sh check
 	@tools/check.sh
 
+bench: all
+	@build/lobe bench
+
 clean:
 	rm -rf build
 
@@ -21,4 +24,5 @@ help:
 	@echo "make         build/lobe, build/liblobe.a and build/liblobe.so"
 	@echo "make demo    render pictures and compare the methods"
 	@echo "make check   every build, check and test"
+	@echo "make bench   time every sampler against its published listing"
 	@echo "make clean   remove build/"

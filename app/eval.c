@@ -37,14 +37,14 @@ static const char *const normal_columns[] = {"mx", "my", "mz", "d", "g1_i", "pdf
 
 static bool write_direction(const lobe_app_model *model, const lobe_app_table *table,
                             lobe_vec3_f64 wo) {
-    const lobe_ggx_eval_f64 e = lobe_app_eval_wo(model, wo);
+    const lobe_reflection_eval_f64 e = lobe_app_eval_wo(model, wo);
     const double row[] = {wo.x, wo.y, wo.z, e.d, e.g1_i, e.g1_o, e.g2, e.pdf_m, e.pdf, e.f_cos};
     return lobe_app_write_row(table, row);
 }
 
 static bool write_normal(const lobe_app_model *model, const lobe_app_table *table,
                          lobe_vec3_f64 m) {
-    const lobe_ggx_eval_f64 e = lobe_app_eval_m(model, m);
+    const lobe_reflection_eval_f64 e = lobe_app_eval_m(model, m);
     const double row[] = {m.x, m.y, m.z, e.d, e.g1_i, e.pdf_m, e.pdf};
     return lobe_app_write_row(table, row);
 }

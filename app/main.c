@@ -17,6 +17,7 @@ static const struct {
     {"sample", lobe_app_sample, "draw directions, with densities and weights"},
     {"eval", lobe_app_eval, "evaluate densities and values at given directions"},
     {"verify", lobe_app_verify, "prove models and methods by statistics"},
+    {"bench", lobe_app_bench, "time every model"},
     {"render", lobe_app_render, "path-trace a scene"},
 };
 

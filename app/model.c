@@ -2,6 +2,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <stdio.h>
 
 #include <lobe/random.h>
 
@@ -9,12 +10,14 @@
 
 /* ---- Options --------------------------------------------------------------------------------- */
 
-static const char *const ndfs[] = {"ggx", NULL};
-static const char *const maskings[] = {"smith", NULL};
 static const char *const precisions[] = {"f32", "f64", NULL};
 
-#define METHOD_NAME(ID, name, text, about) text,
-const char *const lobe_app_methods[] = {LOBE_GGX_METHODS(METHOD_NAME) NULL};
+#define NAME(ID, name) name,
+#define METHOD_NAME(ID, name, about) name,
+const char *const lobe_app_ndfs[] = {LOBE_NDFS(NAME) NULL};
+const char *const lobe_app_maskings[] = {LOBE_MASKINGS(NAME) NULL};
+const char *const lobe_app_methods[] = {LOBE_METHODS(METHOD_NAME) NULL};
+#undef NAME
 #undef METHOD_NAME
 const char *const lobe_app_g2s[] = {"correlated", "separable", NULL};
 const char *const lobe_app_normalizations[] = {"unbiased", "previous", NULL};
@@ -45,9 +48,10 @@ bool lobe_app_read_direction(const lobe_app_option *option, const char *text, vo
 
 #define MEMBER(name) offsetof(lobe_app_model_values, name)
 const lobe_app_option lobe_app_model_options[] = {
-    {"--ndf", "NAME", "ggx", "distribution of normals", lobe_app_read_choice, MEMBER(ndf), ndfs},
+    {"--ndf", "NAME", "ggx", "distribution of normals", lobe_app_read_choice, MEMBER(ndf),
+     lobe_app_ndfs},
     {"--masking", "NAME", "smith", "masking of the microsurface", lobe_app_read_choice,
-     MEMBER(masking), maskings},
+     MEMBER(masking), lobe_app_maskings},
     {"--method", "NAME", "the best for the model", "how directions are drawn", lobe_app_read_choice,
      MEMBER(method), lobe_app_methods},
     {"--alpha", "A[,AY]", NULL,
@@ -58,6 +62,10 @@ const lobe_app_option lobe_app_model_options[] = {
      "direction toward the viewer in the shading frame, of any length; may "
      "lie below the surface; required",
      lobe_app_read_direction, MEMBER(wi), NULL},
+    {"--geometric-normal", "X,Y,Z", "none",
+     "normal of the geometric surface in the shading frame, of any length; directions below it are "
+     "invalid too",
+     lobe_app_read_direction, MEMBER(plane), NULL},
     {"--precision", "P", "f32", "of the arithmetic", lobe_app_read_choice, MEMBER(precision),
      precisions},
     {"--g2", "NAME", "correlated", "masking of both directions together", lobe_app_read_choice,
@@ -70,10 +78,36 @@ const lobe_app_option lobe_app_model_options[] = {
 #undef MEMBER
 
 lobe_app_model_values lobe_app_default_model(void) {
-    const lobe_ggx_options options = lobe_ggx_default_options();
-    return (lobe_app_model_values){.method = (int)options.method,
+    const lobe_reflection_options options = lobe_reflection_default_options();
+    return (lobe_app_model_values){.method = LOBE_METHOD_COUNT,
                                    .g2 = (int)options.g2,
-                                   .normalization = (int)options.normalization};
+                                   .normalization = (int)options.normalization,
+                                   .plane = {0, 0, 1}};
+}
+
+/* "ndf, caps, ..." of what exists for a distribution and a masking. */
+static void list_methods(lobe_model model, char *text, size_t room) {
+    size_t length = 0;
+    text[0] = '\0';
+    for (int i = 0; i < lobe_model_count(); ++i) {
+        const lobe_model known = lobe_model_at(i);
+        if (known.ndf != model.ndf || known.masking != model.masking) continue;
+        const int added = snprintf(text + length, room - length, "%s%s", length ? ", " : "",
+                                   lobe_method_name(known.method));
+        if (added > 0 && length + (size_t)added < room) length += (size_t)added;
+    }
+}
+
+lobe_app_status lobe_app_choose_model(int ndf, int masking, int method, lobe_model *model) {
+    *model = (lobe_model){(lobe_ndf)ndf, (lobe_masking)masking, (lobe_method)method};
+    if (method == LOBE_METHOD_COUNT) model->method = lobe_best_method(model->ndf, model->masking);
+    if (lobe_model_exists(*model)) return LOBE_APP_DONE;
+    char methods[256], hint[320];
+    list_methods(*model, methods, sizeof methods);
+    snprintf(hint, sizeof hint, "those that do are %s", methods);
+    return lobe_app_reject("--method", hint, "%s does not exist for --ndf %s --masking %s",
+                           lobe_method_name(model->method), lobe_ndf_name(model->ndf),
+                           lobe_masking_name(model->masking));
 }
 
 /* ---- Model ----------------------------------------------------------------------------------- */
@@ -87,12 +121,17 @@ static lobe_vec3_f64 widen(lobe_vec3_f32 v) {
 }
 
 /* false: the model is invalid in its precision. */
-static bool prepare(const lobe_app_model_values *values, lobe_ggx_options options, lobe_vec3_f64 wi,
-                    lobe_app_model *model) {
+static bool prepare(const lobe_app_model_values *values, lobe_reflection_options options,
+                    lobe_vec3_f64 wi, lobe_vec3_f64 plane, lobe_app_model *model) {
     const double ax = values->alpha[0], ay = values->alpha[1];
-    model->f32 = lobe_ggx_prepare_f32(options, narrow(wi), (float)ax, (float)ay);
-    model->f64 = lobe_ggx_prepare_f64(options, wi, ax, ay);
+    model->f32 =
+        lobe_reflection_prepare_above_f32(options, narrow(wi), (float)ax, (float)ay, narrow(plane));
+    model->f64 = lobe_reflection_prepare_above_f64(options, wi, ax, ay, plane);
     return model->precision == LOBE_APP_F32 ? model->f32.is_valid : model->f64.is_valid;
+}
+
+static double dot(lobe_vec3_f64 a, lobe_vec3_f64 b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
 lobe_app_status lobe_app_prepare(const lobe_app_model_values *values,
@@ -102,58 +141,69 @@ lobe_app_status lobe_app_prepare(const lobe_app_model_values *values,
     if (!lobe_app_is_given(arguments, "--wi"))
         return lobe_app_reject("--wi", "give the direction toward the viewer, as in --wi 0.6,0,0.8",
                                "missing");
-    const lobe_ggx_options options = {(lobe_method)values->method, (lobe_g2)values->g2,
-                                      (lobe_normalization)values->normalization};
+    lobe_reflection_options options = lobe_reflection_default_options();
+    const lobe_app_status status =
+        lobe_app_choose_model(values->ndf, values->masking, values->method, &options.model);
+    if (status != LOBE_APP_DONE) return status;
+    options.g2 = (lobe_g2)values->g2;
+    options.normalization = (lobe_normalization)values->normalization;
     model->precision = (lobe_app_precision)values->precision;
     model->fresnel = values->fresnel;
-    if (prepare(values, options, values->wi, model)) return LOBE_APP_DONE;
-    if (prepare(values, options, (lobe_vec3_f64){0, 0, 1}, model))
+    if (prepare(values, options, values->wi, values->plane, model)) return LOBE_APP_DONE;
+    const lobe_vec3_f64 z = {0, 0, 1};
+    if (dot(values->wi, values->plane) <= 0 && prepare(values, options, values->wi, z, model))
+        return lobe_app_reject("--geometric-normal", "turn it toward --wi",
+                               "the direction lies below the geometric surface");
+    if (prepare(values, options, z, z, model))
         return lobe_app_reject("--wi", "tilt the direction", "no microfacet faces it");
     return lobe_app_reject("--alpha", "give a smaller roughness",
                            "%g,%g is too large for the precision", values->alpha[0],
                            values->alpha[1]);
 }
 
-lobe_ggx_draw_f64 lobe_app_draw(const lobe_app_model *model, const double u[3]) {
+lobe_reflection_draw_f64 lobe_app_draw(const lobe_app_model *model, const double u[3]) {
     if (model->precision == LOBE_APP_F64) {
-        lobe_ggx_draw_f64 draw = lobe_ggx_sample_f64(&model->f64, u[0], u[1], u[2]);
+        lobe_reflection_draw_f64 draw = lobe_reflection_sample_f64(&model->f64, u[0], u[1], u[2]);
         draw.weight *= lobe_app_fresnel_f64(&model->fresnel, draw.cos_im);
         return draw;
     }
-    const lobe_ggx_draw_f32 draw =
-        lobe_ggx_sample_f32(&model->f32, (float)u[0], (float)u[1], (float)u[2]);
-    return (lobe_ggx_draw_f64){
+    const lobe_reflection_draw_f32 draw =
+        lobe_reflection_sample_f32(&model->f32, (float)u[0], (float)u[1], (float)u[2]);
+    return (lobe_reflection_draw_f64){
         widen(draw.m), widen(draw.wo),
         draw.cos_im,   draw.pdf_m,
         draw.pdf,      draw.weight * lobe_app_fresnel_f32(&model->fresnel, draw.cos_im)};
 }
 
-static lobe_ggx_eval_f64 finish_f64(const lobe_app_model *model, lobe_ggx_eval_f64 eval) {
+static lobe_reflection_eval_f64 finish_f64(const lobe_app_model *model,
+                                           lobe_reflection_eval_f64 eval) {
     eval.f_cos *= lobe_app_fresnel_f64(&model->fresnel, eval.cos_im);
     return eval;
 }
 
-static lobe_ggx_eval_f64 finish_f32(const lobe_app_model *model, lobe_ggx_eval_f32 eval) {
-    return (lobe_ggx_eval_f64){eval.d,
-                               eval.g1_i,
-                               eval.g1_o,
-                               eval.g2,
-                               eval.pdf_m,
-                               eval.pdf,
-                               eval.f_cos * lobe_app_fresnel_f32(&model->fresnel, eval.cos_im),
-                               eval.cos_im};
+static lobe_reflection_eval_f64 finish_f32(const lobe_app_model *model,
+                                           lobe_reflection_eval_f32 eval) {
+    return (lobe_reflection_eval_f64){eval.d,
+                                      eval.g1_i,
+                                      eval.g1_o,
+                                      eval.g2,
+                                      eval.pdf_m,
+                                      eval.pdf,
+                                      eval.f_cos *
+                                          lobe_app_fresnel_f32(&model->fresnel, eval.cos_im),
+                                      eval.cos_im};
 }
 
-lobe_ggx_eval_f64 lobe_app_eval_wo(const lobe_app_model *model, lobe_vec3_f64 wo) {
+lobe_reflection_eval_f64 lobe_app_eval_wo(const lobe_app_model *model, lobe_vec3_f64 wo) {
     if (model->precision == LOBE_APP_F64)
-        return finish_f64(model, lobe_ggx_eval_wo_f64(&model->f64, wo));
-    return finish_f32(model, lobe_ggx_eval_wo_f32(&model->f32, narrow(wo)));
+        return finish_f64(model, lobe_reflection_eval_wo_f64(&model->f64, wo));
+    return finish_f32(model, lobe_reflection_eval_wo_f32(&model->f32, narrow(wo)));
 }
 
-lobe_ggx_eval_f64 lobe_app_eval_m(const lobe_app_model *model, lobe_vec3_f64 m) {
+lobe_reflection_eval_f64 lobe_app_eval_m(const lobe_app_model *model, lobe_vec3_f64 m) {
     if (model->precision == LOBE_APP_F64)
-        return finish_f64(model, lobe_ggx_eval_m_f64(&model->f64, m));
-    return finish_f32(model, lobe_ggx_eval_m_f32(&model->f32, narrow(m)));
+        return finish_f64(model, lobe_reflection_eval_m_f64(&model->f64, m));
+    return finish_f32(model, lobe_reflection_eval_m_f32(&model->f32, narrow(m)));
 }
 
 void lobe_app_random(const lobe_app_model *model, uint64_t seed, uint64_t row, double u[3]) {

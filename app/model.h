@@ -5,7 +5,7 @@
 
 #include <stdint.h>
 
-#include <lobe/ggx.h>
+#include <lobe/reflection.h>
 
 #include "fresnel.h"
 #include "options.h"
@@ -15,33 +15,39 @@ typedef enum lobe_app_precision { LOBE_APP_F32, LOBE_APP_F64 } lobe_app_precisio
 /* What the options say. */
 typedef struct lobe_app_model_values {
     int ndf, masking, precision;
-    int method, g2, normalization; /* lobe_method, lobe_g2, lobe_normalization */
+    int method, g2, normalization; /* lobe_method (_COUNT: the best), lobe_g2, lobe_normalization */
     double alpha[2];
-    lobe_vec3_f64 wi; /* of unit length */
+    lobe_vec3_f64 wi;    /* of unit length */
+    lobe_vec3_f64 plane; /* geometric normal, of unit length */
     lobe_app_fresnel fresnel;
 } lobe_app_model_values;
 
 extern const lobe_app_option lobe_app_model_options[]; /* fills a lobe_app_model_values */
-extern const char *const lobe_app_methods[], *const lobe_app_g2s[],
-                                                 *const lobe_app_normalizations[];
+extern const char *const lobe_app_ndfs[],
+    *const lobe_app_maskings[], *const lobe_app_methods[], *const lobe_app_g2s[],
+                                                               *const lobe_app_normalizations[];
 
 lobe_app_model_values lobe_app_default_model(void);
+
+/* The row of the list of models; reports a combination that does not exist, and which ones do.
+ * method LOBE_METHOD_COUNT: the best. */
+lobe_app_status lobe_app_choose_model(int ndf, int masking, int method, lobe_model *model);
 
 /* The model, ready to draw from; reports what is missing or out of range. */
 typedef struct lobe_app_model {
     lobe_app_precision precision;
     lobe_app_fresnel fresnel;
-    lobe_ggx_f32 f32;
-    lobe_ggx_f64 f64;
+    lobe_reflection_f32 f32;
+    lobe_reflection_f64 f64;
 } lobe_app_model;
 
 lobe_app_status lobe_app_prepare(const lobe_app_model_values *values,
                                  const lobe_app_arguments *arguments, lobe_app_model *model);
 
 /* Weight and f_cos include the Fresnel factor. */
-lobe_ggx_draw_f64 lobe_app_draw(const lobe_app_model *model, const double u[3]);
-lobe_ggx_eval_f64 lobe_app_eval_wo(const lobe_app_model *model, lobe_vec3_f64 wo);
-lobe_ggx_eval_f64 lobe_app_eval_m(const lobe_app_model *model, lobe_vec3_f64 m);
+lobe_reflection_draw_f64 lobe_app_draw(const lobe_app_model *model, const double u[3]);
+lobe_reflection_eval_f64 lobe_app_eval_wo(const lobe_app_model *model, lobe_vec3_f64 wo);
+lobe_reflection_eval_f64 lobe_app_eval_m(const lobe_app_model *model, lobe_vec3_f64 m);
 
 /* Three numbers in [0, 1) for the row-th draw. f32 takes the leading bits of the numbers of f64, so
  * that both draw the same directions up to rounding. */

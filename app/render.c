@@ -29,7 +29,8 @@ typedef struct render_values {
     double time_limit, exposure, rotation, material[5];
     picture_size size;
     uint32_t aovs;
-    int method, g2, normalization, heuristic, progress;
+    lobe_model model; /* of ndf, masking and method */
+    int ndf, masking, method, g2, normalization, heuristic, progress;
     bool strict, ground, list_scenes, json;
 } render_values;
 
@@ -112,8 +113,12 @@ static const lobe_app_option scene_options[] = {
     {0}};
 
 static const lobe_app_option method_options[] = {
-    {"--method", "NAME", "optimal", "how to sample reflection", lobe_app_read_choice, AT(method),
-     lobe_app_methods},
+    {"--ndf", "NAME", "ggx", "distribution of normals", lobe_app_read_choice, AT(ndf),
+     lobe_app_ndfs},
+    {"--masking", "NAME", "smith", "masking of the microsurface", lobe_app_read_choice, AT(masking),
+     lobe_app_maskings},
+    {"--method", "NAME", "the best for the model", "how to sample reflection", lobe_app_read_choice,
+     AT(method), lobe_app_methods},
     {"--g2", "NAME", "correlated", "masking and shadowing", lobe_app_read_choice, AT(g2),
      lobe_app_g2s},
     {"--normalization", "NAME", "unbiased", "of the densities behind a shading normal",
@@ -134,7 +139,7 @@ static render_values default_values(void) {
     return (render_values){.spp = r.samples,
                            .depth = (uint64_t)r.depth,
                            .size = {r.width, r.height},
-                           .method = (int)r.ggx.method,
+                           .method = LOBE_METHOD_COUNT,
                            .heuristic = (int)r.heuristic,
                            .material = {0.8, 0.8, 0.8, 0, 0.5}};
 }
@@ -176,8 +181,9 @@ static void show_progress(void *user, const lobe_render_progress *p) {
 
 static lobe_render_options render_options(const render_values *v, render_run *run) {
     lobe_render_options r = lobe_render_default_options();
-    r.ggx = (lobe_ggx_options){(lobe_method)v->method, (lobe_g2)v->g2,
-                               (lobe_normalization)v->normalization};
+    r.reflection.model = v->model;
+    r.reflection.g2 = (lobe_g2)v->g2;
+    r.reflection.normalization = (lobe_normalization)v->normalization;
     r.width = v->size.width;
     r.height = v->size.height;
     r.samples = (uint32_t)v->spp;
@@ -211,9 +217,9 @@ static json_t *json_statistics(const render_values *v, const char *scene,
                                const lobe_render_statistics *st) {
     return json_pack(
         "{so ss si si si sI si sI sI sI sI so so so}", "scene", lobe_app_json_text(scene), "method",
-        lobe_method_name((lobe_method)v->method), "width", v->size.width, "height", v->size.height,
-        "spp", (int)st->pixel_samples, "samples", (json_int_t)st->samples, "threads", st->threads,
-        "rays", (json_int_t)st->rays, "draws", (json_int_t)st->ggx_draws, "rejected",
+        lobe_method_name(v->model.method), "width", v->size.width, "height", v->size.height, "spp",
+        (int)st->pixel_samples, "samples", (json_int_t)st->samples, "threads", st->threads, "rays",
+        (json_int_t)st->rays, "draws", (json_int_t)st->ggx_draws, "rejected",
         (json_int_t)st->ggx_rejected, "dropped", (json_int_t)st->dropped_samples, "rejected_share",
         lobe_app_json_number(st->rejected_share), "seconds", lobe_app_json_number(st->seconds),
         "cpu_seconds", lobe_app_json_number(st->cpu_seconds));
@@ -375,6 +381,8 @@ lobe_app_status lobe_app_render(int argc, char **argv) {
     lobe_app_status status = lobe_app_parse(&command, argc, argv, &arguments);
     if (status || arguments.is_answered) return status;
     if (values.list_scenes) return list_scenes(values.json);
+    status = lobe_app_choose_model(values.ndf, values.masking, values.method, &values.model);
+    if (status) return status;
     if ((status = check(&values, &arguments))) return status;
     return render(&values, arguments.operand);
 }

@@ -93,7 +93,7 @@ static lobe_app_status draw_rows(const lobe_app_model *model, const lobe_app_tab
         bool has_ended;
         const lobe_app_status status = next_random(source, model, u, &has_ended);
         if (status || has_ended) return status;
-        const lobe_ggx_draw_f64 draw = lobe_app_draw(model, u);
+        const lobe_reflection_draw_f64 draw = lobe_app_draw(model, u);
         const double row[] = {draw.m.x,  draw.m.y,   draw.m.z, draw.wo.x,  draw.wo.y,
                               draw.wo.z, draw.pdf_m, draw.pdf, draw.weight};
         if (!lobe_app_write_row(table, row)) return LOBE_APP_DONE;

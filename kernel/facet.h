@@ -58,7 +58,7 @@ K_FN facet_options facet_options_of(bool separable, bool previous) {
 }
 
 K_FN bool facet_is_tilted(v3 plane) {
-    return plane.x != R(0.0) || plane.y != R(0.0);
+    return plane.x != R(0.0) || plane.y != R(0.0) || plane.z < R(0.0);
 }
 
 /* Roughness from 0 on, i and the plane of length 1, i on the front of a tilted plane. */

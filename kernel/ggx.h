@@ -23,12 +23,16 @@ K_STRUCT(ggx_base) {
     v3 wi;
     real ax;
     real ay;
+    real inv_ax;
+    real inv_ay;
     v3 i_std;
     real t_i;
     real rho2;         /* i_std.x^2 + i_std.y^2 */
     real one_plus_z;   /* 1 + i_std.z and 1 - i_std.z, */
     real one_minus_z;  /* each without cancellation */
     real visible;      /* V(i) */
+    real d_peak;       /* 1/(pi ax ay): D of the normal */
+    real value_scale;  /* 1/(2 V(i)): f cos = D * shadowing * value_scale */
     real density_bias; /* density / what is sampled; 1 but for the previous normalisation */
     v3 plane;          /* the geometric normal */
     real floor_share;  /* how much of a density ignores shadowing, for the methods that follow it */
@@ -52,6 +56,9 @@ K_FN ggx_base ggx_base_of(v3 wi, real alpha_x, real alpha_y, facet_options optio
     g.wi = v3_select(usable, wi, v3_of(R(0.0), R(0.0), R(1.0)));
     g.ax = ggx_alpha_floor(k_select(usable, alpha_x, R(1.0)));
     g.ay = ggx_alpha_floor(k_select(usable, alpha_y, R(1.0)));
+    g.inv_ax = R(1.0) / g.ax;
+    g.inv_ay = R(1.0) / g.ay;
+    g.d_peak = R(1.0) / (K_PI * g.ax * g.ay);
     v3 stretched = ggx_stretch(g.wi, g.ax, g.ay);
     real z = stretched.z;
     real xy2 = stretched.x * stretched.x + stretched.y * stretched.y;
@@ -71,21 +78,22 @@ K_FN ggx_base ggx_base_of(v3 wi, real alpha_x, real alpha_y, facet_options optio
     /* straight from below nothing is visible */
     g.valid = usable && g.visible > R(1e6) * K_TINY;
     g.visible = k_select(g.valid, g.visible, R(1.0));
+    g.value_scale = R(0.5) / g.visible;
     g.mirror = usable && alpha_x < GGX_ALPHA_MIN && alpha_y < GGX_ALPHA_MIN;
     return g;
 }
 
 /* D of a unit m */
-K_FN real ggx_d(v3 m, real ax, real ay) {
-    real x = m.x / ax;
-    real y = m.y / ay;
+K_FN real ggx_d(ggx_base g, v3 m) {
+    real x = m.x * g.inv_ax;
+    real y = m.y * g.inv_ay;
     real e = x * x + y * y + m.z * m.z;
-    return k_select(m.z > R(0.0), R(1.0) / (K_PI * ax * ay * e * e), R(0.0));
+    return k_select(m.z > R(0.0), g.d_peak / (e * e), R(0.0));
 }
 
 /* D of the normal along A h (h any length): |A h|^2/|h|^2 is all it takes */
-K_FN real ggx_d_stretched(real ah2_over_h2, real ax, real ay) {
-    return ah2_over_h2 * ah2_over_h2 * (R(1.0) / (K_PI * ax * ay));
+K_FN real ggx_d_stretched(ggx_base g, real ah2_over_h2) {
+    return ah2_over_h2 * ah2_over_h2 * g.d_peak;
 }
 
 K_FN real ggx_t(v3 v, real ax, real ay) {
@@ -123,7 +131,7 @@ K_FN real ggx_shadowing(ggx_base g, v3 wo) {
 
 /* f cos of a pair that leaves the surface; 0 of any other */
 K_FN real ggx_f_cos(ggx_base g, facet_pair pair) {
-    real value = pair.d * ggx_shadowing(g, pair.wo) / (R(2.0) * g.visible);
+    real value = pair.d * ggx_shadowing(g, pair.wo) * g.value_scale;
     return k_select(g.valid && pair.leaves, k_usable(value), R(0.0));
 }
 
@@ -134,12 +142,12 @@ K_FN facet_pair ggx_pair_of_wo(ggx_base g, v3 wo) {
     real safe_h2 = k_max(h2, K_TINY);
     real inv = R(1.0) / k_sqrt(safe_h2);
     real side = k_sign(h.z);
-    v3 w = v3_of(h.x / g.ax, h.y / g.ay, h.z);
+    v3 w = v3_of(h.x * g.inv_ax, h.y * g.inv_ay, h.z);
     facet_pair pair;
     pair.wo = wo;
     pair.m = v3_scale(h, inv * side);
     pair.cos_im = v3_dot(g.wi, h) * inv * side;
-    pair.d = ggx_d_stretched(safe_h2 / k_max(v3_dot(w, w), K_TINY), g.ax, g.ay);
+    pair.d = ggx_d_stretched(g, safe_h2 / k_max(v3_dot(w, w), K_TINY));
     pair.leaves = facet_leaves(wo, g.plane) && h.z > R(0.0) && h2 > K_TINY && pair.cos_im > R(0.0);
     return pair;
 }
@@ -150,7 +158,7 @@ K_FN facet_pair ggx_pair_of_m(ggx_base g, v3 m) {
     pair.m = m;
     pair.cos_im = v3_dot(g.wi, m);
     pair.wo = v3_sub(v3_scale(m, R(2.0) * pair.cos_im), g.wi);
-    pair.d = ggx_d(m, g.ax, g.ay);
+    pair.d = ggx_d(g, m);
     pair.leaves = facet_leaves(pair.wo, g.plane) && m.z > R(0.0) && pair.cos_im > R(0.0);
     return pair;
 }
@@ -165,7 +173,7 @@ K_FN facet_pair ggx_pair_of_stretched(ggx_base g, v3 h) {
     pair.m = v3_scale(ah, R(1.0) / k_sqrt(ah2));
     pair.cos_im = v3_dot(g.wi, pair.m);
     pair.wo = v3_sub(v3_scale(pair.m, R(2.0) * pair.cos_im), g.wi);
-    real d = ggx_d_stretched(ah2 / k_max(h2, K_TINY), g.ax, g.ay);
+    real d = ggx_d_stretched(g, ah2 / k_max(h2, K_TINY));
     pair.d = k_select(h.z >= R(0.0), d, R(0.0));
     pair.leaves = facet_leaves(pair.wo, g.plane) && pair.cos_im > R(0.0) && h2 > K_TINY;
     return pair;
@@ -181,8 +189,8 @@ K_FN facet_eval ggx_eval(ggx_base g, facet_pair pair) {
     return e;
 }
 
-/* A draw from its pair and the two densities of the method there. */
-K_FN facet_draw ggx_draw_of(ggx_base g, facet_pair pair, real pdf_m, real pdf) {
+/* A draw from its pair, the two densities of the method there, and f cos / pdf. */
+K_FN facet_draw ggx_weighted_draw(ggx_base g, facet_pair pair, real pdf_m, real pdf, real weight) {
     facet_draw draw;
     bool valid = g.valid && pair.leaves && k_usable(pdf) > R(0.0);
     draw.m = pair.m;
@@ -190,8 +198,12 @@ K_FN facet_draw ggx_draw_of(ggx_base g, facet_pair pair, real pdf_m, real pdf) {
     draw.cos_im = pair.cos_im;
     draw.pdf_m = k_select(g.valid, k_usable(pdf_m), R(0.0));
     draw.pdf = k_select(valid, pdf, R(0.0));
-    draw.weight = k_select(valid, k_usable(ggx_f_cos(g, pair) / pdf), R(0.0));
+    draw.weight = k_select(valid, k_usable(weight), R(0.0));
     return draw;
+}
+
+K_FN facet_draw ggx_draw_of(ggx_base g, facet_pair pair, real pdf_m, real pdf) {
+    return ggx_weighted_draw(g, pair, pdf_m, pdf, ggx_f_cos(g, pair) / pdf);
 }
 
 #endif

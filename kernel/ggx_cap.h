@@ -12,6 +12,7 @@
 
 K_STRUCT(ggx_cap) {
     ggx_base g;
+    ggx_visible visible;
     real spare; /* (1 - k) i_std.z: what is cut off the cap of the visible normals */
     real w;     /* 1 + k i_std.z: height of the cap */
     real rest;  /* 1 - k i_std.z: what the cap leaves of the sphere's height 2 */
@@ -24,21 +25,22 @@ K_FN ggx_cap ggx_cap_of(ggx_base g, real one_minus_k) {
     s.spare = one_minus_k * g.i_std.z;
     s.w = g.one_plus_z - s.spare;
     s.rest = g.one_minus_z + s.spare;
+    s.visible = ggx_visible_of(g, s.w);
     return s;
 }
 
 K_FN real ggx_cap_pdf(ggx_cap s, facet_pair pair) {
-    return ggx_visible_pdf(s.g, pair, s.w);
+    return ggx_visible_pdf(s.visible, pair);
 }
 
 /* A normal whose reflection leaves lies in the cap by construction; the others may not. */
 K_FN real ggx_cap_pdf_m(ggx_cap s, facet_pair pair) {
     real depth = R(1.0) - ggx_stretched_out(s.g, pair.m).z;
-    return k_select(pair.leaves || depth <= s.w, ggx_visible_pdf_m(s.g, pair, s.w), R(0.0));
+    return k_select(pair.leaves || depth <= s.w, ggx_visible_pdf_m(s.visible, pair), R(0.0));
 }
 
 K_FN real ggx_cap_acceptance(ggx_cap s) {
-    return ggx_visible_acceptance(s.g, s.w);
+    return ggx_visible_acceptance(s.g, s.visible);
 }
 
 /* The stretched normal, of any length. */
@@ -52,7 +54,7 @@ K_FN v3 ggx_cap_half_vector(ggx_cap s, real u1, real u2) {
 
 K_FN facet_draw ggx_cap_draw(ggx_cap s, real u1, real u2) {
     v3 h = ggx_cap_half_vector(s, u1, u2);
-    return ggx_visible_draw(s.g, ggx_pair_of_stretched(s.g, h), s.w);
+    return ggx_visible_draw(s.g, s.visible, ggx_pair_of_stretched(s.g, h));
 }
 
 #endif

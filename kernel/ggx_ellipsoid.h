@@ -10,26 +10,28 @@
 
 K_STRUCT(ggx_ellipsoid) {
     ggx_base g;
+    ggx_visible visible;
     facet_azimuth azimuth;
 };
 
 K_FN ggx_ellipsoid ggx_ellipsoid_prepare(ggx_base g) {
     ggx_ellipsoid s;
     s.g = g;
+    s.visible = ggx_visible_of(g, g.one_plus_z);
     s.azimuth = facet_azimuth_of(g.i_std);
     return s;
 }
 
 K_FN real ggx_ellipsoid_pdf(ggx_ellipsoid s, facet_pair pair) {
-    return ggx_visible_pdf(s.g, pair, s.g.one_plus_z);
+    return ggx_visible_pdf(s.visible, pair);
 }
 
 K_FN real ggx_ellipsoid_pdf_m(ggx_ellipsoid s, facet_pair pair) {
-    return ggx_visible_pdf_m(s.g, pair, s.g.one_plus_z);
+    return ggx_visible_pdf_m(s.visible, pair);
 }
 
 K_FN real ggx_ellipsoid_acceptance(ggx_ellipsoid s) {
-    return ggx_visible_acceptance(s.g, s.g.one_plus_z);
+    return ggx_visible_acceptance(s.g, s.visible);
 }
 
 K_FN facet_draw ggx_ellipsoid_draw(ggx_ellipsoid s, real u1, real u2, real u3) {
@@ -38,7 +40,7 @@ K_FN facet_draw ggx_ellipsoid_draw(ggx_ellipsoid s, real u1, real u2, real u3) {
     v3 across_y = v3_of(-s.g.i_std.z * s.azimuth.x, -s.g.i_std.z * s.azimuth.y, s.azimuth.rho);
     v3 h = v3_combine(across_x, p.x, across_y, p.y, s.g.i_std, p.z);
     h.z = k_max(h.z, R(0.0));
-    return ggx_visible_draw(s.g, ggx_pair_of_stretched(s.g, h), s.g.one_plus_z);
+    return ggx_visible_draw(s.g, s.visible, ggx_pair_of_stretched(s.g, h));
 }
 
 /* Worst errors of a draw in float, 2 10^7 random inputs (tools/numerics/sampler_error.c: roughness

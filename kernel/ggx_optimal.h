@@ -18,6 +18,7 @@
 
 K_STRUCT(ggx_optimal) {
     ggx_base g;
+    ggx_visible visible;
     v3 axis;
     v3 across_x;
     v3 across_y;
@@ -129,6 +130,7 @@ K_FN ggx_optimal ggx_optimal_with_axis(ggx_base g, v3 axis, real w) {
     real xy = axis.x * axis.y * b;
     ggx_optimal s;
     s.g = g;
+    s.visible = ggx_visible_of(g, w);
     s.axis = axis;
     s.w = w;
     s.across_x = v3_of(R(1.0) + side * axis.x * axis.x * b, side * xy, -side * axis.x);
@@ -152,16 +154,16 @@ K_FN ggx_optimal ggx_optimal_prepare(ggx_base g) {
 }
 
 K_FN real ggx_optimal_pdf(ggx_optimal s, facet_pair pair) {
-    return ggx_visible_pdf(s.g, pair, s.w);
+    return ggx_visible_pdf(s.visible, pair);
 }
 
 K_FN real ggx_optimal_pdf_m(ggx_optimal s, facet_pair pair) {
     real depth = R(1.0) - v3_dot(s.axis, ggx_stretched_out(s.g, pair.m));
-    return k_select(pair.leaves || depth <= s.w, ggx_visible_pdf_m(s.g, pair, s.w), R(0.0));
+    return k_select(pair.leaves || depth <= s.w, ggx_visible_pdf_m(s.visible, pair), R(0.0));
 }
 
 K_FN real ggx_optimal_acceptance(ggx_optimal s) {
-    return ggx_visible_acceptance(s.g, s.w);
+    return ggx_visible_acceptance(s.g, s.visible);
 }
 
 K_FN v3 ggx_optimal_half_vector(ggx_optimal s, real u1, real u2) {
@@ -177,7 +179,7 @@ K_FN facet_draw ggx_optimal_draw(ggx_optimal s, real u1, real u2, real u3) {
     /* from behind the cap is small and opposite to i: there only the form about z does not cancel */
     v3 about_z = ggx_cap_half_vector(ggx_cap_of(s.g, R(0.0)), u1, u2);
     v3 h = v3_select(s.tilts, ggx_optimal_half_vector(s, u1, u2), about_z);
-    return ggx_visible_draw(s.g, ggx_pair_of_stretched(s.g, h), s.w);
+    return ggx_visible_draw(s.g, s.visible, ggx_pair_of_stretched(s.g, h));
 }
 
 /* Worst errors of a draw in float, 2 10^7 random inputs (tools/numerics/sampler_error.c: roughness

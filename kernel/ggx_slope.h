@@ -15,26 +15,28 @@
 
 K_STRUCT(ggx_slope) {
     ggx_base g;
+    ggx_visible visible;
     facet_azimuth azimuth; /* rho = sin t */
 };
 
 K_FN ggx_slope ggx_slope_prepare(ggx_base g) {
     ggx_slope s;
     s.g = g;
+    s.visible = ggx_visible_of(g, g.one_plus_z);
     s.azimuth = facet_azimuth_of(g.i_std);
     return s;
 }
 
 K_FN real ggx_slope_pdf(ggx_slope s, facet_pair pair) {
-    return ggx_visible_pdf(s.g, pair, s.g.one_plus_z);
+    return ggx_visible_pdf(s.visible, pair);
 }
 
 K_FN real ggx_slope_pdf_m(ggx_slope s, facet_pair pair) {
-    return ggx_visible_pdf_m(s.g, pair, s.g.one_plus_z);
+    return ggx_visible_pdf_m(s.visible, pair);
 }
 
 K_FN real ggx_slope_acceptance(ggx_slope s) {
-    return ggx_visible_acceptance(s.g, s.g.one_plus_z);
+    return ggx_visible_acceptance(s.g, s.visible);
 }
 
 /* The angle xi of the slope along i, as sine and cosine. */
@@ -60,7 +62,7 @@ K_FN facet_draw ggx_slope_draw_of(ggx_slope s, ggx_slope_along x, k_sincos half_
     real across = -side * half_e.c;
     v3 h = v3_of(s.azimuth.x * along - s.azimuth.y * across,
                  s.azimuth.y * along + s.azimuth.x * across, x.c * half_e.s);
-    return ggx_visible_draw(s.g, ggx_pair_of_stretched(s.g, h), s.g.one_plus_z);
+    return ggx_visible_draw(s.g, s.visible, ggx_pair_of_stretched(s.g, h));
 }
 
 K_FN facet_draw ggx_slope_draw(ggx_slope s, real u1, real u2, real u3) {

@@ -4,4 +4,4 @@
 #define LOBE_NAME(stem) lobe_##stem##_f64
 
 #include "fresnel_template.h"
-#include "ggx_template.h"
+#include "reflection_template.h"

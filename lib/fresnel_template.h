@@ -1,5 +1,5 @@
 /* lib/fresnel_template.h: the public Fresnel functions over the kernels, once for each precision.
- * Before including: the binding of the precision and LOBE_NAME(stem), as for ggx_template.h. */
+ * Before including: the binding of the precision and LOBE_NAME(stem), as for reflection_template.h. */
 #include "lobe/fresnel.h"
 
 #include "../kernel/fresnel.h"

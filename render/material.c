@@ -7,12 +7,13 @@ static float coat_albedo(float roughness, float cosine) {
     enum { SIDE = 16 };
     float alpha = roughness * roughness;
     lobe_vec3_f32 wi = {sqrtf(1.0f - cosine * cosine), 0.0f, cosine};
-    lobe_ggx_f32 ggx = lobe_ggx_prepare_f32(lobe_ggx_default_options(), wi, alpha, alpha);
+    lobe_reflection_f32 ggx =
+        lobe_reflection_prepare_f32(lobe_reflection_default_options(), wi, alpha, alpha);
     double sum = 0.0;
     for (int j = 0; j < SIDE; j++)
         for (int i = 0; i < SIDE; i++) {
             float u1 = ((float)i + 0.5f) / SIDE, u2 = ((float)j + 0.5f) / SIDE;
-            lobe_ggx_draw_f32 d = lobe_ggx_sample_f32(&ggx, u1, u2, 0.0f);
+            lobe_reflection_draw_f32 d = lobe_reflection_sample_f32(&ggx, u1, u2, 0.0f);
             if (d.pdf > 0.0f)
                 sum += (double)(d.weight * lobe_fresnel_dielectric_f32(COAT_IOR, d.cos_im));
         }
@@ -47,7 +48,7 @@ void lobe_coat_table(float table[COAT_ROWS][COAT_COLUMNS]) {
 }
 
 /* The roughness that the Smith model sees along a direction: Lambda depends on nothing else. */
-static float roughness_toward(const lobe_ggx_f32 *ggx, vec3 d) {
+static float roughness_toward(const lobe_reflection_f32 *ggx, vec3 d) {
     float x = ggx->alpha_x * d.x, y = ggx->alpha_y * d.y, plane = d.x * d.x + d.y * d.y;
     float squared = ggx->alpha_x * ggx->alpha_y;
     if (ggx->alpha_x != ggx->alpha_y && plane > 1e-12f) squared = (x * x + y * y) / plane;
@@ -103,8 +104,8 @@ surface lobe_surface_at(const surface_options *options, frame shading, vec3 geom
         .frame = shading, .geometric = geometric, .base_color = base_color, .metallic = metallic};
     lobe_vec3_f32 wi = frame_to_local(&shading, to_viewer);
     float alpha = roughness * roughness;
-    s.ggx = lobe_ggx_prepare_f32(options->ggx, wi, alpha * (1.0f + anisotropy),
-                                 alpha * (1.0f - anisotropy));
+    s.ggx = lobe_reflection_prepare_f32(options->ggx, wi, alpha * (1.0f + anisotropy),
+                                        alpha * (1.0f - anisotropy));
     s.coat = options->coat;
     float coat_i = coat_at(&s, wi);
     s.base_share_i = (1.0f - coat_i) / (LOBE_PI * (1.0f - coat_average(&s)));
@@ -116,7 +117,7 @@ vec3 lobe_surface_value(const surface *s, vec3 direction, float *pdf) {
     *pdf = 0.0f;
     vec3 wo = frame_to_local(&s->frame, direction);
     if (!(wo.z > 0.0f) || !(v3_dot(direction, s->geometric) > 0.0f)) return v3_all(0.0f);
-    lobe_ggx_eval_f32 e = lobe_ggx_eval_wo_f32(&s->ggx, wo);
+    lobe_reflection_eval_f32 e = lobe_reflection_eval_wo_f32(&s->ggx, wo);
     vec3 value = v3_scale(fresnel(s, e.cos_im), e.f_cos);
     *pdf = s->specular * e.pdf + (1.0f - s->specular) * wo.z / LOBE_PI;
     float share = (1.0f - s->metallic) * s->base_share_i * (1.0f - coat_at(s, wo)) * wo.z;
@@ -128,7 +129,7 @@ static surface_draw rejected(int is_ggx) {
 }
 
 static surface_draw draw_ggx(const surface *s, float u1, float u2) {
-    lobe_ggx_draw_f32 d = lobe_ggx_sample_f32(&s->ggx, u1, u2, 0.0f);
+    lobe_reflection_draw_f32 d = lobe_reflection_sample_f32(&s->ggx, u1, u2, 0.0f);
     vec3 direction = frame_to_world(&s->frame, d.wo);
     if (!(d.pdf > 0.0f) || !(v3_dot(direction, s->geometric) > 0.0f)) return rejected(1);
     surface_draw draw = {.direction = direction, .pdf = d.pdf, .is_ggx = 1};

@@ -11,7 +11,7 @@
 #define LOBE_RENDER_MATERIAL_H
 
 #include "lobe/fresnel.h"
-#include "lobe/ggx.h"
+#include "lobe/reflection.h"
 #include "vector.h"
 
 /* Roughness; cosine from -1 (a shading normal that faces away) to 1, with the average last. */
@@ -21,9 +21,9 @@ enum { COAT_ROWS = 32, COAT_COLUMNS = 98 };
 void lobe_coat_table(float table[COAT_ROWS][COAT_COLUMNS]);
 
 typedef struct surface {
-    frame frame;      /* shading */
-    vec3 geometric;   /* normal, toward the viewer */
-    lobe_ggx_f32 ggx; /* wi is in the shading frame */
+    frame frame;             /* shading */
+    vec3 geometric;          /* normal, toward the viewer */
+    lobe_reflection_f32 ggx; /* wi is in the shading frame */
     vec3 base_color;
     float metallic;
     float base_share_i;                /* (1 - E(i))/(pi (1 - E_avg)) of the base */
@@ -40,7 +40,7 @@ typedef struct surface_draw {
 } surface_draw;
 
 typedef struct surface_options {
-    lobe_ggx_options ggx;
+    lobe_reflection_options ggx;
     const float (*coat)[COAT_COLUMNS];
 } surface_options;
 

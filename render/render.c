@@ -33,7 +33,7 @@ const char *lobe_heuristic_name(lobe_heuristic heuristic) {
 }
 
 lobe_render_options lobe_render_default_options(void) {
-    return (lobe_render_options){.ggx = lobe_ggx_default_options(),
+    return (lobe_render_options){.reflection = lobe_reflection_default_options(),
                                  .width = 960,
                                  .height = 540,
                                  .samples = 64,
@@ -191,7 +191,7 @@ static lobe_render_result check_options(const lobe_render_options *o) {
     if (o->threads < 0 || o->threads > 1024)
         return lobe_fail(LOBE_RENDER_BAD_INPUT, "threads: %d is out of range; use 0 to 1024",
                          o->threads);
-    if ((unsigned)o->ggx.method >= LOBE_METHOD_COUNT || (unsigned)o->heuristic >= 4u ||
+    if (!lobe_model_exists(o->reflection.model) || (unsigned)o->heuristic >= 4u ||
         !(o->time_limit >= 0.0))
         return lobe_fail(LOBE_RENDER_BAD_INPUT,
                          "options: a value is out of range; see lobe/render.h");
@@ -228,7 +228,7 @@ static int render_passes(job *j, int threads) {
 static void keep_metadata(job *j, double seconds) {
     film_metadata *m = &j->film->metadata;
     memcpy(m->scene, j->scene->name, sizeof m->scene);
-    const char *method = lobe_method_name(j->options->ggx.method);
+    const char *method = lobe_method_name(j->options->reflection.model.method);
     memcpy(m->method, method, strlen(method) + 1);
     m->samples = j->done;
     m->seed = j->options->seed;
@@ -244,7 +244,7 @@ lobe_render_result lobe_render(const lobe_scene *scene, lobe_render_options opti
     job j = {.scene = scene, .options = &options, .start = now(CLOCK_MONOTONIC)};
     double cpu = now(CLOCK_PROCESS_CPUTIME_ID);
     j.integrator = (integrator){scene,
-                                {options.ggx, scene->coat_albedo},
+                                {options.reflection, scene->coat_albedo},
                                 options.heuristic,
                                 options.depth,
                                 options.roulette_depth};

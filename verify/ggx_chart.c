@@ -2,14 +2,7 @@
 
 #include <math.h>
 
-static double dot(const double a[3], const double b[3]) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-static void normalize(double v[3]) {
-    double length = sqrt(dot(v, v));
-    for (int i = 0; i < 3; ++i) v[i] /= length;
-}
+#include "axes.h"
 
 /* Largest root of r - x + i_x^2/(x + c_x) + i_y^2/(x + c_y), convex and falling: Newton from a lower
  * bound rises to it. The bound is exact for an isotropic surface. */
@@ -25,20 +18,6 @@ static double positive_eigenvalue(const double i[3], const double c[2], double r
         x += (r - x + p * i[0] + q * i[1]) / (1 + p * p + q * q);
     }
     return x;
-}
-
-/* Any two axes across the third. */
-static void complete_frame(double axis[3][3]) {
-    const double *n = axis[2];
-    int least = fabs(n[0]) < fabs(n[1]) ? 0 : 1;
-    double other[3] = {0, 0, 0};
-    other[least] = 1;
-    double along = dot(other, n);
-    for (int i = 0; i < 3; ++i) axis[0][i] = other[i] - along * n[i];
-    normalize(axis[0]);
-    axis[1][0] = n[1] * axis[0][2] - n[2] * axis[0][1];
-    axis[1][1] = n[2] * axis[0][0] - n[0] * axis[0][2];
-    axis[1][2] = n[0] * axis[0][1] - n[1] * axis[0][0];
 }
 
 /* a^T (-Q) b */
@@ -69,8 +48,8 @@ static double diagonalize(const double i[3], const double c[2], double r, double
 lobe_ggx_chart lobe_ggx_chart_prepare(const double wi[3], double alpha_x, double alpha_y) {
     lobe_ggx_chart ggx = {.alpha = {alpha_x, alpha_y}, .wi = {wi[0], wi[1], wi[2]}};
     double i[3] = {alpha_x * wi[0], alpha_y * wi[1], wi[2]};
-    ggx.length = sqrt(dot(i, i));
-    normalize(i);
+    ggx.length = sqrt(lobe_dot(i, i));
+    lobe_normalize(i);
     double front = fmax(i[2], 0);
     double c[2] = {front * alpha_x * alpha_x, front * alpha_y * alpha_y};
     double r = 2 * i[2] - front;
@@ -79,8 +58,8 @@ lobe_ggx_chart lobe_ggx_chart_prepare(const double wi[3], double alpha_x, double
     n[0] = i[0] / (ggx.lambda + c[0]);
     n[1] = i[1] / (ggx.lambda + c[1]);
     n[2] = 1;
-    normalize(n);
-    complete_frame(ggx.axis);
+    lobe_normalize(n);
+    lobe_complete_frame(ggx.axis);
     double larger = diagonalize(i, c, r, ggx.axis);
     /* By the determinant: the difference of the two would cancel. */
     double smaller =
@@ -90,7 +69,7 @@ lobe_ggx_chart lobe_ggx_chart_prepare(const double wi[3], double alpha_x, double
     for (int k = 0; k < 2; ++k) {
         ggx.half_axis[k] = sqrt(ggx.lambda / (ggx.lambda + minor[k]));
         ggx.gap[k] = minor[k] / (ggx.lambda + minor[k]);
-        ggx.slant[k] = ggx.half_axis[k] * dot(i, ggx.axis[k]) / ggx.nu;
+        ggx.slant[k] = ggx.half_axis[k] * lobe_dot(i, ggx.axis[k]) / ggx.nu;
     }
     return ggx;
 }
@@ -107,7 +86,7 @@ static double ggx_direction(const void *self, lobe_disk_point point, double wo[3
     }
     m[0] *= ggx->alpha[0];
     m[1] *= ggx->alpha[1];
-    double length2 = dot(m, m);
+    double length2 = lobe_dot(m, m);
     double lift = (ggx->slant[0] * point.x + ggx->slant[1] * point.y) / z;
     double i_m = ggx->nu * z * fmax(1 + lift, 0); /* stretched i . m */
     for (int k = 0; k < 2; ++k) wo[k] = 2 * ggx->length * i_m / length2 * m[k] - ggx->wi[k];
@@ -122,10 +101,10 @@ static int ggx_point(const void *self, const double wo[3], lobe_disk_point *poin
     const lobe_ggx_chart *ggx = self;
     double m[3] = {(ggx->wi[0] + wo[0]) / ggx->alpha[0], (ggx->wi[1] + wo[1]) / ggx->alpha[1],
                    ggx->wi[2] + wo[2]};
-    double length = sqrt(dot(m, m));
+    double length = sqrt(lobe_dot(m, m));
     if (!(length > 0) || !(m[2] >= 0)) return 0;
-    double x = dot(m, ggx->axis[0]) / (length * ggx->half_axis[0]);
-    double y = dot(m, ggx->axis[1]) / (length * ggx->half_axis[1]);
+    double x = lobe_dot(m, ggx->axis[0]) / (length * ggx->half_axis[0]);
+    double y = lobe_dot(m, ggx->axis[1]) / (length * ggx->half_axis[1]);
     /* A direction rounded to just outside belongs to the edge. */
     double v = fmax(1 - x * x - y * y, 0);
     *point = (lobe_disk_point){x, y, sqrt(v)};

@@ -11,7 +11,7 @@
 #include <string.h>
 
 #include "engine.h"
-#include "ggx_cases.h"
+#include "reflection_cases.h"
 #include "statistics.h"
 
 enum { TITLE_ROOM = 160, PATTERN_ROOM = 256 };
@@ -46,10 +46,10 @@ lobe_verify_options lobe_verify_default_options(void) {
     return (lobe_verify_options){.level = LOBE_VERIFY_QUICK, .seed = 1};
 }
 
-static int matches(const char *only, const lobe_ggx_case *c) {
+static int matches(const char *only, const lobe_reflection_case *c) {
     char name[TITLE_ROOM], configuration[TITLE_ROOM];
-    lobe_ggx_subject_name(c->parameters, c->precision, name, sizeof name, configuration,
-                          sizeof configuration);
+    lobe_reflection_subject_name(c->parameters, c->precision, name, sizeof name, configuration,
+                                 sizeof configuration);
     char title[2 * TITLE_ROOM], pattern[PATTERN_ROOM];
     snprintf(title, sizeof title, "%s %s", name, configuration);
     snprintf(pattern, sizeof pattern, "*%s*", only);
@@ -57,7 +57,7 @@ static int matches(const char *only, const lobe_ggx_case *c) {
 }
 
 static int is_chosen(const lobe_verify_options *options, size_t index) {
-    lobe_ggx_case c = lobe_ggx_case_at(index);
+    lobe_reflection_case c = lobe_reflection_case_at(index);
     if (options->only == NULL) return 1;
     return strlen(options->only) < PATTERN_ROOM - 2 && matches(options->only, &c);
 }
@@ -66,14 +66,14 @@ size_t lobe_verify_list(const lobe_verify_options *options,
                         void (*on_case)(void *user, const lobe_verify_case *verify_case),
                         void *user) {
     size_t count = 0;
-    for (size_t i = 0; i < lobe_ggx_case_count(); ++i) {
+    for (size_t i = 0; i < lobe_reflection_case_count(); ++i) {
         if (!is_chosen(options, i)) continue;
         count += 1;
         if (on_case == NULL) continue;
-        lobe_ggx_case c = lobe_ggx_case_at(i);
+        lobe_reflection_case c = lobe_reflection_case_at(i);
         char name[TITLE_ROOM], configuration[TITLE_ROOM];
-        lobe_ggx_subject_name(c.parameters, c.precision, name, sizeof name, configuration,
-                              sizeof configuration);
+        lobe_reflection_subject_name(c.parameters, c.precision, name, sizeof name, configuration,
+                                     sizeof configuration);
         on_case(user, &(lobe_verify_case){name, configuration});
     }
     return count;
@@ -93,10 +93,10 @@ static uint64_t stream_of(const lobe_verify_model *model) {
 
 static void report_case(run *r, size_t position) {
     const lobe_report *report = &r->outcomes[position].report;
-    lobe_ggx_case c = lobe_ggx_case_at(r->cases.indices[position]);
+    lobe_reflection_case c = lobe_reflection_case_at(r->cases.indices[position]);
     char name[TITLE_ROOM], configuration[TITLE_ROOM];
-    lobe_ggx_subject_name(c.parameters, c.precision, name, sizeof name, configuration,
-                          sizeof configuration);
+    lobe_reflection_subject_name(c.parameters, c.precision, name, sizeof name, configuration,
+                                 sizeof configuration);
     r->summary->cases += 1;
     for (int i = 0; i < report->count; ++i) {
         const lobe_report_row *row = &report->rows[i];
@@ -119,9 +119,9 @@ static void report_in_order(run *r) {
 }
 
 static void run_case(run *r, size_t position) {
-    lobe_ggx_case c = lobe_ggx_case_at(r->cases.indices[position]);
-    lobe_ggx_subject subject;
-    lobe_ggx_subject_make(&subject, c.parameters, c.precision);
+    lobe_reflection_case c = lobe_reflection_case_at(r->cases.indices[position]);
+    lobe_reflection_subject subject;
+    lobe_reflection_subject_make(&subject, c.parameters, c.precision);
     lobe_settings settings = r->settings;
     settings.stream = stream_of(&subject.model);
     outcome *o = &r->outcomes[position];
@@ -165,7 +165,7 @@ static lobe_verify_result check_options(run *r) {
 }
 
 static int choose_cases(run *r) {
-    size_t room = lobe_ggx_case_count();
+    size_t room = lobe_reflection_case_count();
     r->cases.indices = malloc(room * sizeof *r->cases.indices);
     if (r->cases.indices == NULL) return 0;
     for (size_t i = 0; i < room; ++i) {
@@ -181,7 +181,7 @@ static void set_up(run *r) {
     if (o->draws != 0) r->settings.draws = o->draws;
     r->settings.seed = o->seed;
     /* Of the whole list: a verdict does not depend on what else was chosen. */
-    size_t tests = LOBE_P_VALUES_A_CASE * lobe_ggx_case_count();
+    size_t tests = LOBE_P_VALUES_A_CASE * lobe_reflection_case_count();
     r->settings.p_limit = lobe_sidak(LOBE_VERIFY_SIGNIFICANCE, tests);
     r->monitor.on_progress = o->on_progress;
     r->monitor.user = o->user;

@@ -4,7 +4,7 @@
 #define LOBE_LOBE_H
 
 #include "fresnel.h"
-#include "ggx.h"
+#include "reflection.h"
 #include "methods.h"
 #include "random.h"
 #include "types.h"

@@ -4,7 +4,7 @@
  *     lobe_film *film = NULL;
  *     lobe_render_options options = lobe_render_default_options();
  *     options.samples = 64;
- *     options.ggx.method = LOBE_METHOD_BOUNDED;
+ *     options.reflection.method = LOBE_METHOD_BOUNDED;
  *     if (lobe_scene_load("gallery", lobe_scene_default_options(), &scene) != LOBE_RENDER_OK ||
  *         lobe_render(scene, options, &film, NULL) != LOBE_RENDER_OK ||
  *         lobe_film_write(film, "gallery.png", lobe_film_default_write_options()) != LOBE_RENDER_OK)
@@ -32,7 +32,7 @@
 #include <signal.h>
 #include <stddef.h>
 
-#include "ggx.h"
+#include "reflection.h"
 #include "types.h"
 
 LOBE_BEGIN_C
@@ -152,15 +152,15 @@ typedef struct lobe_render_progress {
 typedef void (*lobe_progress_function)(void *user, const lobe_render_progress *progress);
 
 typedef struct lobe_render_options {
-    lobe_ggx_options ggx; /* default lobe_ggx_default_options() */
-    int width, height;    /* pixels, 1 to LOBE_RENDER_SIZE_MAX; default 960 x 540 */
-    uint32_t samples;     /* camera paths a pixel, 1 to LOBE_RENDER_SAMPLES_MAX; default 64 */
-    int depth;            /* greatest number of surface scatterings on a path, 0 to 1000000; 8 */
-    int roulette_depth;   /* Russian roulette after so many scatterings; default 5 */
-    uint64_t seed;        /* default 0 */
-    int threads;          /* 0: as many as OpenMP offers; default 0 */
-    double time_limit;    /* seconds, then stop with what is finished; 0: none; default 0 */
-    const char *camera;   /* name of a camera of the file; NULL: its first, else framed */
+    lobe_reflection_options reflection; /* default lobe_reflection_default_options() */
+    int width, height;                  /* pixels, 1 to LOBE_RENDER_SIZE_MAX; default 960 x 540 */
+    uint32_t samples;   /* camera paths a pixel, 1 to LOBE_RENDER_SAMPLES_MAX; default 64 */
+    int depth;          /* greatest number of surface scatterings on a path, 0 to 1000000; 8 */
+    int roulette_depth; /* Russian roulette after so many scatterings; default 5 */
+    uint64_t seed;      /* default 0 */
+    int threads;        /* 0: as many as OpenMP offers; default 0 */
+    double time_limit;  /* seconds, then stop with what is finished; 0: none; default 0 */
+    const char *camera; /* name of a camera of the file; NULL: its first, else framed */
     lobe_heuristic heuristic; /* default LOBE_HEURISTIC_BALANCE */
     uint32_t aovs;            /* LOBE_AOV_BIT(…) of the extra channels to keep; default 0 */
     lobe_progress_function progress; /* NULL: none */

@@ -7,7 +7,7 @@
  *     lobe_verify_result result = lobe_verify_run(&options, &summary);
  *
  * A case is one model (sampling method and precision) at one configuration (roughness, incidence,
- * masking). Every method of LOBE_GGX_METHODS is in the list of cases, in f32 and f64. The tests:
+ * masking). Every method of LOBE_METHODS is in the list of cases, in f32 and f64. The tests:
  *
  *   chi2           p      draws in bins of about equal expected count against integrals of the density
  *   rejected       p      count of rejected draws against 1 - integral of the density
@@ -22,7 +22,7 @@
  *   reciprocity    error  f(wi, wo) against f(wo, wi)
  *   precision      error  density and value against the f64 twin (f32 only)
  *   support        error  share of directions below the surface with a density or a value
- *   mirror         error  direction and weight below LOBE_GGX_ALPHA_MIN
+ *   mirror         error  direction and weight below LOBE_ALPHA_MIN
  *   extreme        error  number of results that are not finite, negative, or a weight without a pdf,
  *                         for special numbers (0, -0, denormal, huge, inf, NaN) in every argument
  *

@@ -26,10 +26,15 @@ static inline lobe_vec3_f64 case_to_f64(lobe_vec3_f32 d) {
     return f;
 }
 
-static inline lobe_ggx_f64 case_model(lobe_method method, lobe_vec3_f64 wi, double ax, double ay) {
-    lobe_ggx_options options = lobe_ggx_default_options();
-    options.method = method;
-    return lobe_ggx_prepare_f64(options, wi, ax, ay);
+static inline lobe_model smith_ggx(lobe_method method) {
+    return (lobe_model){LOBE_NDF_GGX, LOBE_MASKING_SMITH, method};
+}
+
+static inline lobe_reflection_f64 case_model(lobe_model row, lobe_vec3_f64 wi, double ax,
+                                             double ay) {
+    lobe_reflection_options options = lobe_reflection_default_options();
+    options.model = row;
+    return lobe_reflection_prepare_f64(options, wi, ax, ay);
 }
 
 /* Number `index` of a stream of uniform pairs. */

@@ -5,7 +5,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 
-#include <lobe/ggx.h>
+#include <lobe/reflection.h>
 
 static void names_round_trip(void **state) {
     (void)state;
@@ -20,13 +20,13 @@ static void names_round_trip(void **state) {
 
 static void unknown_method_is_invalid(void **state) {
     (void)state;
-    lobe_ggx_options options = lobe_ggx_default_options();
-    options.method = LOBE_METHOD_COUNT;
+    lobe_reflection_options options = lobe_reflection_default_options();
+    options.model.method = LOBE_METHOD_COUNT;
     lobe_vec3_f32 wi = {0, 0, 1};
-    lobe_ggx_f32 model = lobe_ggx_prepare_f32(options, wi, 0.5f, 0.5f);
+    lobe_reflection_f32 model = lobe_reflection_prepare_f32(options, wi, 0.5f, 0.5f);
     assert_false(model.is_valid);
-    assert_true(lobe_ggx_sample_f32(&model, 0.5f, 0.5f, 0).pdf == 0);
-    assert_true(lobe_ggx_pdf_f32(&model, wi) == 0);
+    assert_true(lobe_reflection_sample_f32(&model, 0.5f, 0.5f, 0).pdf == 0);
+    assert_true(lobe_reflection_pdf_f32(&model, wi) == 0);
 }
 
 int main(void) {

@@ -17,13 +17,14 @@ static void assert_near(double value, double expected, double tolerance) {
 static void rejected_share_of_visible_normals(void **state) {
     (void)state;
     for (double a = 0.01; a < 3; a *= 1.7) {
-        lobe_ggx_f64 m = case_model(LOBE_METHOD_CAPS, case_direction(0, 0), a, a);
-        assert_near(lobe_ggx_acceptance_f64(&m), 1 / (1 + a * a), 1e-14);
+        lobe_reflection_f64 m = case_model(smith_ggx(LOBE_METHOD_CAPS), case_direction(0, 0), a, a);
+        assert_near(lobe_reflection_acceptance_f64(&m), 1 / (1 + a * a), 1e-14);
     }
     for (double t = 0; t < 90; t += 7) {
-        lobe_ggx_f64 m = case_model(LOBE_METHOD_ELLIPSOID, case_direction(t, 33), 1, 1);
+        lobe_reflection_f64 m =
+            case_model(smith_ggx(LOBE_METHOD_ELLIPSOID), case_direction(t, 33), 1, 1);
         double mu = cos(t * CASES_PI / 180);
-        assert_near(lobe_ggx_acceptance_f64(&m), 1 / (1 + mu), 1e-14);
+        assert_near(lobe_reflection_acceptance_f64(&m), 1 / (1 + mu), 1e-14);
     }
 }
 
@@ -32,13 +33,15 @@ static void rejected_share_of_visible_normals(void **state) {
 static void bounded_caps_where_they_are_exact(void **state) {
     (void)state;
     for (double a = 0.01; a <= 1; a *= 1.5) {
-        lobe_ggx_f64 m = case_model(LOBE_METHOD_BOUNDED, case_direction(0, 0), a, a);
-        assert_near(lobe_ggx_acceptance_f64(&m), 1, 1e-13);
+        lobe_reflection_f64 m =
+            case_model(smith_ggx(LOBE_METHOD_BOUNDED), case_direction(0, 0), a, a);
+        assert_near(lobe_reflection_acceptance_f64(&m), 1, 1e-13);
     }
     for (double t = 0; t < 90; t += 7) {
-        lobe_ggx_f64 m = case_model(LOBE_METHOD_BOUNDED, case_direction(t, 71), 1, 1);
-        assert_near(lobe_ggx_acceptance_f64(&m), 1, 1e-14);
-        assert_near(lobe_ggx_pdf_f64(&m, case_direction(61, 200)), 0.5 / CASES_PI, 1e-14);
+        lobe_reflection_f64 m =
+            case_model(smith_ggx(LOBE_METHOD_BOUNDED), case_direction(t, 71), 1, 1);
+        assert_near(lobe_reflection_acceptance_f64(&m), 1, 1e-14);
+        assert_near(lobe_reflection_pdf_f64(&m, case_direction(61, 200)), 0.5 / CASES_PI, 1e-14);
     }
 }
 
@@ -54,8 +57,8 @@ static void accepted_share_of_the_three_caps(void **state) {
     for (int r = 0; r < 5; ++r) {
         for (int k = 0; k < 3; ++k) {
             lobe_vec3_f64 wi = case_direction(rows[r][2], rows[r][3]);
-            lobe_ggx_f64 m = case_model(methods[k], wi, rows[r][0], rows[r][1]);
-            assert_near(lobe_ggx_acceptance_f64(&m), rows[r][4 + k], 0.0006);
+            lobe_reflection_f64 m = case_model(smith_ggx(methods[k]), wi, rows[r][0], rows[r][1]);
+            assert_near(lobe_reflection_acceptance_f64(&m), rows[r][4 + k], 0.0006);
         }
     }
 }
@@ -67,15 +70,15 @@ static void albedo_at_roughness_one(void **state) {
     const int n = 512;
     for (int separable = 0; separable < 2; ++separable) {
         for (double mu = 0.1; mu < 1; mu += 0.2) {
-            lobe_ggx_options options = lobe_ggx_default_options();
-            options.method = LOBE_METHOD_BOUNDED;
+            lobe_reflection_options options = lobe_reflection_default_options();
+            options.model.method = LOBE_METHOD_BOUNDED;
             options.g2 = separable ? LOBE_G2_SEPARABLE : LOBE_G2_CORRELATED;
             lobe_vec3_f64 wi = {sqrt(1 - mu * mu), 0, mu};
-            lobe_ggx_f64 m = lobe_ggx_prepare_f64(options, wi, 1, 1);
+            lobe_reflection_f64 m = lobe_reflection_prepare_f64(options, wi, 1, 1);
             double sum = 0;
             for (int j = 0; j < n; ++j)
                 for (int i = 0; i < n; ++i)
-                    sum += lobe_ggx_sample_f64(&m, (i + 0.5) / n, (j + 0.5) / n, 0).weight;
+                    sum += lobe_reflection_sample_f64(&m, (i + 0.5) / n, (j + 0.5) / n, 0).weight;
             double exact = separable ? 2 * (1 - log(2)) / (1 + mu) : 1 - mu * log(1 + 1 / mu);
             assert_near(sum / ((double)n * n), exact, 2e-5);
         }

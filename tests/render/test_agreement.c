@@ -12,17 +12,17 @@ static void methods_agree(void **state) {
     lobe_scene *scene = load(name);
     lobe_render_options o = small(32, 32, 24);
     o.depth = 3;
-    o.ggx.method = LOBE_METHOD_CAPS;
+    o.reflection.model.method = LOBE_METHOD_CAPS;
     block_means expected = measure(scene, o);
     /* all normals (ndf) have unbounded weights: few samples say nothing about its mean */
-    for (int m = LOBE_METHOD_SLOPE; m < LOBE_METHOD_COUNT; ++m) {
-        o.ggx.method = (lobe_method)m;
+    for (int m = 2; m < lobe_model_count(); ++m) {
+        o.reflection.model = lobe_model_at(m);
         o.seed = 77 + (uint64_t)m;
         block_means means = measure(scene, o);
         double z = disagreement(&means, &expected);
         if (!(z < 2.2))
-            fail_msg("%s: %s is off by %g standard errors", name, lobe_method_name((lobe_method)m),
-                     z);
+            fail_msg("%s: %s is off by %g standard errors", name,
+                     lobe_method_name(lobe_model_at(m).method), z);
     }
     lobe_scene_free(scene);
 }
@@ -53,10 +53,10 @@ static void previous_normalization_is_too_bright(void **state) {
     lobe_scene *scene = load("normal-mapped");
     lobe_render_options o = small(32, 32, 48);
     o.depth = 1;
-    o.ggx.method = LOBE_METHOD_ELLIPSOID;
+    o.reflection.model.method = LOBE_METHOD_ELLIPSOID;
     o.heuristic = LOBE_HEURISTIC_BSDF_ONLY;
     block_means right = measure(scene, o);
-    o.ggx.normalization = LOBE_NORMALIZATION_PREVIOUS;
+    o.reflection.normalization = LOBE_NORMALIZATION_PREVIOUS;
     block_means previous = measure(scene, o);
     double sum_right = 0, sum_previous = 0;
     for (int b = 0; b < BLOCKS * BLOCKS; ++b) {

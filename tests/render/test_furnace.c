@@ -14,9 +14,9 @@
 static void white_sphere_is_invisible(void **state) {
     (void)state;
     lobe_scene *scene = load("furnace");
-    for (int m = 0; m < LOBE_METHOD_COUNT; ++m) {
+    for (int m = 0; m < lobe_model_count(); ++m) {
         lobe_render_options o = small(32, 32, 32);
-        o.ggx.method = (lobe_method)m;
+        o.reflection.model = lobe_model_at(m);
         o.depth = 64;
         o.roulette_depth = 64;
         block_means means = measure(scene, o);
@@ -24,8 +24,9 @@ static void white_sphere_is_invisible(void **state) {
             /* 5 standard errors, and the interpolation error of the coat's table */
             double room = 5 * means.error[b] + 0.002;
             if (!(fabs(means.mean[b] - 0.5) < room))
-                fail_msg("%s, block %d: %g +- %g is not 0.5", lobe_method_name((lobe_method)m), b,
-                         means.mean[b], means.error[b]);
+                fail_msg("%s, block %d: %g +- %g is not 0.5",
+                         lobe_method_name(lobe_model_at(m).method), b, means.mean[b],
+                         means.error[b]);
         }
     }
     lobe_scene_free(scene);

@@ -7,7 +7,7 @@
 #include <cmocka.h>
 
 #include "verify/engine.h"
-#include "verify/ggx_model.h"
+#include "verify/reflection_model.h"
 
 /* The limit of a p-value in the whole list of `lobe verify`. */
 #define LIST_P_LIMIT 1e-6
@@ -42,11 +42,11 @@ static inline void print_failures(const lobe_verify_model *model, const lobe_rep
     print_message("\n");
 }
 
-static inline lobe_ggx_parameters ggx_parameters(lobe_method method, double alpha_x, double alpha_y,
-                                                 double theta, double phi) {
-    lobe_ggx_options options = lobe_ggx_default_options();
-    options.method = method;
-    return (lobe_ggx_parameters){options, alpha_x, alpha_y, theta, phi};
+static inline lobe_reflection_parameters ggx_parameters(lobe_method method, double alpha_x,
+                                                        double alpha_y, double theta, double phi) {
+    lobe_reflection_options options = lobe_reflection_default_options();
+    options.model.method = method;
+    return (lobe_reflection_parameters){options, alpha_x, alpha_y, theta, phi, 0, 0};
 }
 
 #endif

@@ -9,6 +9,7 @@
 
 #include "verify/cubature.h"
 #include "verify/ggx_chart.h"
+#include "verify/plane_chart.h"
 
 static const double PI = 3.14159265358979323846;
 
@@ -117,6 +118,30 @@ static void charts_cover_the_hemisphere(void **state) {
     }
 }
 
+/* Two hemispheres whose planes meet at an angle share the solid angle 2 (pi - tilt), and seen from
+ * above pi (1 + cos tilt)/2. */
+static void plane_charts_cover_both_hemispheres(void **state) {
+    (void)state;
+    const double tilt = 0.6, g[3] = {sin(tilt) * cos(2.0), sin(tilt) * sin(2.0), cos(tilt)};
+    for (int i = 0; i < PLACE_COUNT; ++i) {
+        double theta = PLACES[i].theta * PI / 180;
+        double wi[3] = {sin(theta) * cos(1.2), sin(theta) * sin(1.2), cos(theta)};
+        if (wi[0] * g[0] + wi[1] * g[1] + wi[2] * g[2] <= 0) continue;
+        lobe_plane_chart plane =
+            lobe_plane_chart_prepare(wi, g, PLACES[i].alpha_x, PLACES[i].alpha_y);
+        lobe_verify_chart chart = lobe_plane_chart_view(&plane);
+        check_chart(&chart);
+        if (PLACES[i].theta >= 90 || PLACES[i].alpha_x < 0.02) continue;
+        double integral[LOBE_CUBATURE_VALUES];
+        integrate(&chart, integral);
+        if (!(fabs(integral[0] - 2 * (PI - tilt)) < 1e-4 &&
+              fabs(integral[1] - PI * (1 + cos(tilt)) / 2) < 1e-4)) {
+            fail_msg("alpha %g, %g, theta %g: %.9g, %.9g", PLACES[i].alpha_x, PLACES[i].alpha_y,
+                     PLACES[i].theta, integral[0], integral[1]);
+        }
+    }
+}
+
 static void visible_share_has_closed_forms(void **state) {
     (void)state;
     double up[3] = {0, 0, 1};
@@ -133,6 +158,7 @@ static void visible_share_has_closed_forms(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(charts_invert_and_differentiate),
                                        cmocka_unit_test(charts_cover_the_hemisphere),
+                                       cmocka_unit_test(plane_charts_cover_both_hemispheres),
                                        cmocka_unit_test(visible_share_has_closed_forms)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

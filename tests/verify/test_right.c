@@ -100,9 +100,9 @@ static void test_seed(const lobe_verify_model *model, const lobe_bins *bins, uin
 static void p_values_are_uniform(void **state) {
     (void)state;
     static double p[LOBE_P_VALUES_A_CASE][SEEDS];
-    lobe_ggx_subject subject;
-    lobe_ggx_subject_make(&subject, ggx_parameters(LOBE_METHOD_CAPS, 0.4, 0.8, 50, 30),
-                          LOBE_PRECISION_F64);
+    lobe_reflection_subject subject;
+    lobe_reflection_subject_make(&subject, ggx_parameters(LOBE_METHOD_CAPS, 0.4, 0.8, 50, 30),
+                                 LOBE_PRECISION_F64);
     lobe_bins bins;
     assert_true(lobe_bins_make(&bins, &subject.model, 8, 2));
     for (int i = 0; i < SEEDS; ++i) {

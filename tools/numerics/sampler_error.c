@@ -44,38 +44,38 @@ static void keep(worst *w, double error, const input *i) {
     if (error > w->error) *w = (worst){error, *i};
 }
 
-static void compare(lobe_method method, const input *i, worst *direction, worst *density) {
-    lobe_ggx_options options = lobe_ggx_default_options();
-    options.method = method;
+static void compare(lobe_model row, const input *i, worst *direction, worst *density) {
+    lobe_reflection_options options = lobe_reflection_default_options();
+    options.model = row;
     lobe_vec3_f64 wi = {i->wi.x, i->wi.y, i->wi.z};
-    lobe_ggx_f32 f = lobe_ggx_prepare_f32(options, i->wi, i->alpha_x, i->alpha_y);
-    lobe_ggx_f64 d = lobe_ggx_prepare_f64(options, wi, i->alpha_x, i->alpha_y);
-    lobe_ggx_draw_f32 a = lobe_ggx_sample_f32(&f, i->u1, i->u2, 0);
-    lobe_ggx_draw_f64 b = lobe_ggx_sample_f64(&d, i->u1, i->u2, 0);
+    lobe_reflection_f32 f = lobe_reflection_prepare_f32(options, i->wi, i->alpha_x, i->alpha_y);
+    lobe_reflection_f64 d = lobe_reflection_prepare_f64(options, wi, i->alpha_x, i->alpha_y);
+    lobe_reflection_draw_f32 a = lobe_reflection_sample_f32(&f, i->u1, i->u2, 0);
+    lobe_reflection_draw_f64 b = lobe_reflection_sample_f64(&d, i->u1, i->u2, 0);
     if (a.pdf == 0 || b.pdf == 0) return;
     double x = a.wo.x - b.wo.x, y = a.wo.y - b.wo.y, z = a.wo.z - b.wo.z;
     keep(direction, sqrt(x * x + y * y + z * z), i);
     lobe_vec3_f64 m = {a.m.x, a.m.y, a.m.z};
-    double exact = lobe_ggx_eval_m_f64(&d, m).pdf;
+    double exact = lobe_reflection_eval_m_f64(&d, m).pdf;
     if (exact > 0) keep(density, fabs(a.pdf / exact - 1), i);
 }
 
-static void print(lobe_method method, const char *what, const worst *w) {
+static void print(lobe_model row, const char *what, const worst *w) {
     printf("%-16s %-9s %.2g at wi (%a, %a, %a) alpha (%a, %a) u (%a, %a)\n",
-           lobe_method_name(method), what, w->error, (double)w->at.wi.x, (double)w->at.wi.y,
+           lobe_method_name(row.method), what, w->error, (double)w->at.wi.x, (double)w->at.wi.y,
            (double)w->at.wi.z, (double)w->at.alpha_x, (double)w->at.alpha_y, (double)w->at.u1,
            (double)w->at.u2);
 }
 
 int main(void) {
-    for (int m = 0; m < LOBE_METHOD_COUNT; ++m) {
+    for (int m = 0; m < lobe_model_count(); ++m) {
         worst direction = {0}, density = {0};
         for (uint64_t k = 0; k < DRAWS; ++k) {
             input i = input_at(k);
-            compare((lobe_method)m, &i, &direction, &density);
+            compare(lobe_model_at(m), &i, &direction, &density);
         }
-        print((lobe_method)m, "direction", &direction);
-        print((lobe_method)m, "density", &density);
+        print(lobe_model_at(m), "direction", &direction);
+        print(lobe_model_at(m), "density", &density);
     }
     return 0;
 }

@@ -3,8 +3,8 @@
  *   NAME(stem)  stem_f32 or stem_f64 */
 
 #define VECTOR NAME(lobe_vec3)
-#define MODEL NAME(lobe_ggx)
-#define DRAW NAME(lobe_ggx_draw)
+#define MODEL NAME(lobe_reflection)
+#define DRAW NAME(lobe_reflection_draw)
 
 static VECTOR NAME(vector)(const double v[3]) {
     VECTOR r = {(REAL)v[0], (REAL)v[1], (REAL)v[2]};
@@ -17,15 +17,18 @@ static const MODEL *NAME(view)(const lobe_verify_state *state) {
     return (const void *)state->bytes;
 }
 
-static void NAME(prepare_with)(const lobe_ggx_parameters *p, const double wi[3], double alpha_x,
-                               double alpha_y, lobe_verify_state *state) {
-    MODEL ggx = NAME(lobe_ggx_prepare)(p->options, NAME(vector)(wi), (REAL)alpha_x, (REAL)alpha_y);
+static void NAME(prepare_with)(const lobe_reflection_parameters *p, const double wi[3],
+                               double alpha_x, double alpha_y, lobe_verify_state *state) {
+    double plane[3];
+    direction_at(p->tilt, p->tilt_azimuth, plane);
+    MODEL ggx = NAME(lobe_reflection_prepare_above)(p->options, NAME(vector)(wi), (REAL)alpha_x,
+                                                    (REAL)alpha_y, NAME(vector)(plane));
     _Static_assert(sizeof ggx <= sizeof state->bytes, "lobe_verify_state is too small");
     memcpy(state->bytes, &ggx, sizeof ggx);
 }
 
 static void NAME(prepare)(const void *self, const double wi[3], lobe_verify_state *state) {
-    const lobe_ggx_parameters *p = self;
+    const lobe_reflection_parameters *p = self;
     NAME(prepare_with)(p, wi, p->alpha_x, p->alpha_y, state);
 }
 
@@ -38,20 +41,20 @@ static int NAME(prepare_special)(const void *self, const double wi[3], size_t in
 }
 
 static lobe_verify_draw NAME(sample)(const lobe_verify_state *state, const double u[3]) {
-    DRAW s = NAME(lobe_ggx_sample)(NAME(view)(state), (REAL)u[0], (REAL)u[1], (REAL)u[2]);
+    DRAW s = NAME(lobe_reflection_sample)(NAME(view)(state), (REAL)u[0], (REAL)u[1], (REAL)u[2]);
     return (lobe_verify_draw){{s.wo.x, s.wo.y, s.wo.z}, s.pdf, s.weight};
 }
 
 static double NAME(density)(const lobe_verify_state *state, const double wo[3]) {
-    return NAME(lobe_ggx_pdf)(NAME(view)(state), NAME(vector)(wo));
+    return NAME(lobe_reflection_pdf)(NAME(view)(state), NAME(vector)(wo));
 }
 
 static double NAME(value)(const lobe_verify_state *state, const double wo[3]) {
-    return NAME(lobe_ggx_eval_wo)(NAME(view)(state), NAME(vector)(wo)).f_cos;
+    return NAME(lobe_reflection_eval_wo)(NAME(view)(state), NAME(vector)(wo)).f_cos;
 }
 
 static double NAME(acceptance)(const lobe_verify_state *state) {
-    return NAME(lobe_ggx_acceptance)(NAME(view)(state));
+    return NAME(lobe_reflection_acceptance)(NAME(view)(state));
 }
 
 static void NAME(set_functions)(lobe_verify_model *model) {

@@ -1,4 +1,4 @@
-#include "ggx_oracles.h"
+#include "reflection_oracles.h"
 
 #include <math.h>
 
@@ -16,9 +16,9 @@ typedef struct method_facts {
     coverage coverage;
 } method_facts;
 
-/* The one place for facts about a method. A method without a row is verified all the same, without
+/* The one place for facts about a model. A model without a row is verified all the same, without
  * independent closed forms. */
-static const method_facts FACTS[LOBE_METHOD_COUNT] = {
+static const method_facts SMITH_GGX[LOBE_METHOD_COUNT] = {
     [LOBE_METHOD_SLOPE_PUBLISHED] = {1, COVERAGE_VISIBLE},
     [LOBE_METHOD_SLOPE] = {1, COVERAGE_VISIBLE},
     [LOBE_METHOD_ELLIPSOID] = {1, COVERAGE_VISIBLE},
@@ -36,8 +36,8 @@ typedef struct surface {
     int is_separable;
 } surface;
 
-static surface surface_of(const lobe_ggx_subject *subject) {
-    const lobe_ggx_parameters *p = &subject->parameters;
+static surface surface_of(const lobe_reflection_subject *subject) {
+    const lobe_reflection_parameters *p = &subject->parameters;
     return (surface){p->alpha_x == p->alpha_y ? p->alpha_x : 0, subject->model.wi[2],
                      p->options.g2 == LOBE_G2_SEPARABLE};
 }
@@ -80,11 +80,14 @@ static double albedo(const surface *s) {
     return s->is_separable ? 2 * (1 - LN2) / (1 + s->mu) : 1 - s->mu * log1p(1 / s->mu);
 }
 
-void lobe_ggx_set_oracles(lobe_ggx_subject *subject) {
+void lobe_reflection_set_oracles(lobe_reflection_subject *subject) {
     lobe_verify_model *model = &subject->model;
-    const method_facts *facts = &FACTS[subject->parameters.options.method];
+    lobe_model row = subject->parameters.options.model;
+    if (row.ndf != LOBE_NDF_GGX || row.masking != LOBE_MASKING_SMITH) return;
+    const method_facts *facts = &SMITH_GGX[row.method];
     surface s = surface_of(subject);
     if (facts->weight_bound > 0) model->weight_bound = facts->weight_bound;
+    if (subject->parameters.tilt != 0) return; /* no closed form knows the second plane */
     model->accepted_oracle = accepted_share(&s, facts->coverage, &subject->chart);
     model->albedo_oracle = albedo(&s);
     if (facts->coverage == COVERAGE_CAP && s.alpha == 1 && s.mu > 0) {

@@ -1,0 +1,28 @@
+/* bench/work.h: the loops that are timed. Each goes once over the inputs and returns a sum of what it
+ * computed, so that no compiler may leave anything out. */
+#ifndef LOBE_BENCH_WORK_H
+#define LOBE_BENCH_WORK_H
+
+#include <lobe/reflection.h>
+
+#include "inputs.h"
+#include "listings.h"
+
+typedef enum precision { PRECISION_F32, PRECISION_F64, PRECISIONS } precision;
+
+/* What is timed: draws or densities of one model. */
+typedef struct work {
+    lobe_reflection_options options;
+    precision precision;
+    int is_shared; /* prepared once */
+} work;
+
+double work_draw(const work *w, const inputs *in);
+double work_pdf(const work *w, const inputs *in);
+double work_listing(listing *published, const inputs *in);
+
+/* Bytes that a draw reads and writes: directions, roughness and random numbers in; direction, density
+ * and weight out. */
+double work_bytes(const work *w);
+
+#endif

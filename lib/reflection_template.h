@@ -1,0 +1,215 @@
+/* lib/reflection_template.h: the public reflection functions over the kernels, once for each precision.
+ *
+ * Before including: the binding of the precision, and
+ *   LOBE_NAME(stem)   lobe_stem_f32 or lobe_stem_f64
+ * The models come from LOBE_MODELS. Each is a kernel of five functions (prepare, draw, pdf, pdf_m,
+ * acceptance) over a family of five (base_of, pair_of_wo, pair_of_m, eval; kernel/facet.h). */
+#include "lobe/reflection.h"
+
+#include "../kernel/ggx_bounded.h"
+#include "../kernel/ggx_caps.h"
+#include "../kernel/ggx_ellipsoid.h"
+#include "../kernel/ggx_ndf.h"
+#include "../kernel/ggx_optimal.h"
+#include "../kernel/ggx_slope.h"
+#include "../kernel/ggx_slope_published.h"
+
+typedef LOBE_NAME(reflection) model_type;
+typedef LOBE_NAME(reflection_draw) draw_type;
+typedef LOBE_NAME(reflection_eval) eval_type;
+typedef LOBE_NAME(vec3) vec_type;
+
+/* The family of a distribution and a masking: the stem of its kernel functions. */
+#define FAMILY_GGX_SMITH ggx
+
+#define JOIN(a, b) a##b
+#define JOIN_EXPANDED(a, b) JOIN(a, b)
+#define FAMILY(NDF, MASKING, suffix) JOIN_EXPANDED(FAMILY_##NDF##_##MASKING, suffix)
+
+static v3 in(vec_type v) {
+    return v3_of(v.x, v.y, v.z);
+}
+
+static vec_type out(v3 v) {
+    vec_type r = {v.x, v.y, v.z};
+    return r;
+}
+
+/* What a row of the list can do. A kernel's state lies in the private part of the public value. */
+typedef struct row {
+    model_type (*prepare)(v3 wi, real ax, real ay, facet_options options);
+    facet_draw (*draw)(const model_type *model, real u1, real u2, real u3);
+    real (*pdf)(const model_type *model, v3 wo);
+    eval_type (*eval_wo)(const model_type *model, v3 wo);
+    eval_type (*eval_m)(const model_type *model, v3 m);
+    real (*acceptance)(const model_type *model);
+} row;
+
+static eval_type eval_of(facet_pair pair, facet_eval known, real pdf_m, real pdf) {
+    eval_type e;
+    e.d = known.d;
+    e.g1_i = known.g1_i;
+    e.g1_o = known.g1_o;
+    e.g2 = known.g2;
+    e.pdf_m = known.d > 0 ? k_usable(pdf_m) : R(0.0);
+    e.pdf = pair.leaves ? k_usable(pdf) : R(0.0);
+    e.f_cos = known.f_cos;
+    e.cos_im = pair.cos_im;
+    return e;
+}
+
+#define ROW_INDEX(NDF, MASKING, METHOD, kernel) INDEX_##kernel,
+enum { LOBE_MODELS(ROW_INDEX) ROW_COUNT };
+#undef ROW_INDEX
+
+#define LOAD(type, value)                                                                          \
+    type value;                                                                                    \
+    memcpy(&value, model->prepared, sizeof value)
+
+/* Every kernel state begins with the base of its family. */
+#define DEFINE_ROW(NDF, MASKING, METHOD, kernel)                                                   \
+    _Static_assert(sizeof(kernel) <= sizeof(((model_type *)0)->prepared),                          \
+                   #kernel " is too large");                                                       \
+    static model_type kernel##_row_prepare(v3 wi, real ax, real ay, facet_options options) {       \
+        FAMILY(NDF, MASKING, _base) g = FAMILY(NDF, MASKING, _base_of)(wi, ax, ay, options);       \
+        kernel s = kernel##_prepare(g);                                                            \
+        v3 mirrored = v3_of(-g.wi.x, -g.wi.y, g.wi.z);                                             \
+        model_type model;                                                                          \
+        model.row = INDEX_##kernel;                                                                \
+        model.is_valid = g.valid;                                                                  \
+        model.is_mirror = g.valid && g.mirror;                                                     \
+        model.mirror_leaves = facet_leaves(mirrored, g.plane);                                     \
+        model.alpha_x = g.ax;                                                                      \
+        model.alpha_y = g.ay;                                                                      \
+        model.wi = out(g.wi);                                                                      \
+        memcpy(model.prepared, &s, sizeof s);                                                      \
+        return model;                                                                              \
+    }                                                                                              \
+    static facet_draw kernel##_row_draw(const model_type *model, real u1, real u2, real u3) {      \
+        LOAD(kernel, s);                                                                           \
+        return kernel##_draw(s, u1, u2, u3);                                                       \
+    }                                                                                              \
+    static real kernel##_row_pdf(const model_type *model, v3 wo) {                                 \
+        LOAD(FAMILY(NDF, MASKING, _base), g);                                                      \
+        LOAD(kernel, s);                                                                           \
+        facet_pair pair = FAMILY(NDF, MASKING, _pair_of_wo)(g, wo);                                \
+        return pair.leaves ? k_usable(kernel##_pdf(s, pair)) : R(0.0);                             \
+    }                                                                                              \
+    static eval_type kernel##_row_eval_wo(const model_type *model, v3 wo) {                        \
+        LOAD(FAMILY(NDF, MASKING, _base), g);                                                      \
+        LOAD(kernel, s);                                                                           \
+        facet_pair pair = FAMILY(NDF, MASKING, _pair_of_wo)(g, wo);                                \
+        facet_eval known = FAMILY(NDF, MASKING, _eval)(g, pair);                                   \
+        return eval_of(pair, known, kernel##_pdf_m(s, pair), kernel##_pdf(s, pair));               \
+    }                                                                                              \
+    static eval_type kernel##_row_eval_m(const model_type *model, v3 m) {                          \
+        LOAD(FAMILY(NDF, MASKING, _base), g);                                                      \
+        LOAD(kernel, s);                                                                           \
+        facet_pair pair = FAMILY(NDF, MASKING, _pair_of_m)(g, m);                                  \
+        facet_eval known = FAMILY(NDF, MASKING, _eval)(g, pair);                                   \
+        return eval_of(pair, known, kernel##_pdf_m(s, pair), kernel##_pdf(s, pair));               \
+    }                                                                                              \
+    static real kernel##_row_acceptance(const model_type *model) {                                 \
+        LOAD(kernel, s);                                                                           \
+        return kernel##_acceptance(s);                                                             \
+    }
+LOBE_MODELS(DEFINE_ROW)
+#undef DEFINE_ROW
+#undef LOAD
+
+#define TABLE_ROW(NDF, MASKING, METHOD, kernel)                                                    \
+    {kernel##_row_prepare, kernel##_row_draw,   kernel##_row_pdf,                                  \
+     kernel##_row_eval_wo, kernel##_row_eval_m, kernel##_row_acceptance},
+static const row rows[ROW_COUNT] = {LOBE_MODELS(TABLE_ROW)};
+#undef TABLE_ROW
+
+/* One more than the index of a model's row; 0 where the combination does not exist. */
+#define FIND_ROW(NDF, MASKING, METHOD, kernel)                                                     \
+    [LOBE_NDF_##NDF][LOBE_MASKING_##MASKING][LOBE_METHOD_##METHOD] = INDEX_##kernel + 1,
+static const unsigned char row_of[LOBE_NDF_COUNT][LOBE_MASKING_COUNT][LOBE_METHOD_COUNT] = {
+    LOBE_MODELS(FIND_ROW)};
+#undef FIND_ROW
+
+static int find_row(lobe_model m) {
+    bool known = (unsigned)m.ndf < LOBE_NDF_COUNT && (unsigned)m.masking < LOBE_MASKING_COUNT &&
+                 (unsigned)m.method < LOBE_METHOD_COUNT;
+    return known ? row_of[m.ndf][m.masking][m.method] - 1 : -1;
+}
+
+static model_type no_model(void) {
+    model_type model;
+    memset(&model, 0, sizeof model);
+    return model;
+}
+
+model_type LOBE_NAME(reflection_prepare_above)(lobe_reflection_options options, vec_type wi,
+                                               real alpha_x, real alpha_y,
+                                               vec_type geometric_normal) {
+    facet_options choices = facet_options_of(options.g2 == LOBE_G2_SEPARABLE,
+                                             options.normalization == LOBE_NORMALIZATION_PREVIOUS);
+    choices.plane = in(geometric_normal);
+    choices.floor_share = (real)options.floor;
+    int index = find_row(options.model);
+    if (index < 0) return no_model();
+    return rows[index].prepare(in(wi), alpha_x, alpha_y, choices);
+}
+
+model_type LOBE_NAME(reflection_prepare)(lobe_reflection_options options, vec_type wi, real alpha_x,
+                                         real alpha_y) {
+    vec_type z = {0, 0, 1};
+    return LOBE_NAME(reflection_prepare_above)(options, wi, alpha_x, alpha_y, z);
+}
+
+/* The mirror: all of the light goes one way. */
+static draw_type mirror_draw(const model_type *model) {
+    draw_type d;
+    memset(&d, 0, sizeof d);
+    d.m.z = 1;
+    d.wo.x = -model->wi.x;
+    d.wo.y = -model->wi.y;
+    d.wo.z = model->wi.z;
+    d.cos_im = model->wi.z;
+    d.pdf_m = d.pdf = d.weight = LOBE_NAME(reflection_acceptance)(model);
+    return d;
+}
+
+draw_type LOBE_NAME(reflection_sample)(const model_type *model, real u1, real u2, real u3) {
+    if (model->is_mirror) return mirror_draw(model);
+    draw_type d;
+    memset(&d, 0, sizeof d);
+    if (!model->is_valid) return d;
+    facet_draw k = rows[model->row].draw(model, k_unit(u1), k_unit(u2), k_unit(u3));
+    d.m = out(k.m);
+    d.wo = out(k.wo);
+    d.cos_im = k.cos_im;
+    d.pdf_m = k.pdf_m;
+    d.pdf = k.pdf;
+    d.weight = k.weight;
+    return d;
+}
+
+static bool has_density(const model_type *model) {
+    return model->is_valid && !model->is_mirror;
+}
+
+real LOBE_NAME(reflection_pdf)(const model_type *model, vec_type wo) {
+    return has_density(model) ? rows[model->row].pdf(model, in(wo)) : R(0.0);
+}
+
+eval_type LOBE_NAME(reflection_eval_wo)(const model_type *model, vec_type wo) {
+    eval_type nothing;
+    memset(&nothing, 0, sizeof nothing);
+    return has_density(model) ? rows[model->row].eval_wo(model, in(wo)) : nothing;
+}
+
+eval_type LOBE_NAME(reflection_eval_m)(const model_type *model, vec_type m) {
+    eval_type nothing;
+    memset(&nothing, 0, sizeof nothing);
+    return has_density(model) ? rows[model->row].eval_m(model, in(m)) : nothing;
+}
+
+real LOBE_NAME(reflection_acceptance)(const model_type *model) {
+    if (!model->is_valid) return 0;
+    if (model->is_mirror) return model->mirror_leaves ? R(1.0) : R(0.0);
+    return rows[model->row].acceptance(model);
+}

@@ -1,0 +1,37 @@
+"""lobe bench: every row, its fields, and what they must satisfy. No test of the times themselves."""
+import json
+
+from program import ProgramTest, main
+
+
+class BenchTest(ProgramTest):
+    def bench(self, *arguments):
+        return json.loads(self.done("bench", "--quick", "--json", *arguments))
+
+    def test_rows(self):
+        report = self.bench("--only", "smith bounded")
+        self.assertTrue(report["cpu"])
+        self.assertEqual(report["threads"], 1)
+        kinds = [(row["precision"], row["prepared"]) for row in report["rows"]]
+        self.assertEqual(kinds, [(p, s) for p in ("f32", "f64") for s in ("shared", "each")])
+        for row in report["rows"]:
+            self.assertEqual((row["ndf"], row["masking"], row["method"]), ("ggx", "smith", "bounded"))
+            self.assertGreater(row["ns"], 0)
+            self.assertGreater(row["ns_pdf"], 0)
+            self.assertGreater(row["stream"], 0)
+            has_listing = (row["precision"], row["prepared"]) == ("f32", "each")
+            self.assertEqual(row["listing"] is not None, has_listing)
+
+    def test_table(self):
+        lines = self.done("bench", "--quick", "--only", "caps f64 each").decode().splitlines()
+        self.assertEqual(lines[0].split()[:3], ["ndf", "masking", "method"])
+        self.assertEqual(lines[1].split()[:4], ["ggx", "smith", "caps", "scalar"])
+
+    def test_errors(self):
+        self.rejected("bench", "--only", "no such row", where="--only")
+        self.rejected("bench", "--only", "", where="--only")
+        self.rejected("bench", "file", where="file")
+
+
+if __name__ == "__main__":
+    main()
