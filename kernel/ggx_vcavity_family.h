@@ -10,6 +10,7 @@ K_STRUCT(ggx_vcavity_base) {
     v3 wi;
     real ax;
     real ay;
+    v3 plane;
     ggx_base ggx;
     vcavity_base cavity;
     bool tilted;
@@ -34,6 +35,7 @@ K_FN ggx_vcavity_base ggx_vcavity_base_of(v3 wi, real alpha_x, real alpha_y,
     g.wi = g.ggx.wi;
     g.ax = g.ggx.ax;
     g.ay = g.ggx.ay;
+    g.plane = g.ggx.plane;
     real hit = ggx_vcavity_hit(g.ggx);
     /* straight from below nothing is visible */
     g.valid = g.ggx.valid && hit > R(1e6) * K_TINY;

@@ -20,6 +20,7 @@ K_STRUCT(vcavity_base) {
     v3 wi;
     v3 plane;
     real hit;          /* H(i) */
+    real value_scale;  /* 1/(4 H(i)) */
     real inv_z;        /* 1/|i_z|, finite where i_z = 0 */
     real density_bias; /* density / what is sampled; 1 but for the previous normalisation */
     bool separable;
@@ -31,6 +32,7 @@ K_FN vcavity_base vcavity_base_of(v3 wi, real hit, facet_options options) {
     c.wi = wi;
     c.plane = options.plane;
     c.hit = hit;
+    c.value_scale = R(0.25) / hit;
     c.inv_z = R(1.0) / k_max(k_abs(wi.z), K_TINY);
     c.density_bias = k_select(options.previous && wi.z < R(0.0), hit, R(1.0));
     c.separable = options.separable;
@@ -56,7 +58,7 @@ K_FN real vcavity_shadowing(vcavity_base c, facet_pair pair) {
 
 /* The density of the visible normals over directions, whatever was sampled. */
 K_FN real vcavity_visible(vcavity_base c, facet_pair pair) {
-    return R(0.25) * pair.d * vcavity_seen(pair, c.inv_z) / c.hit;
+    return pair.d * vcavity_seen(pair, c.inv_z) * c.value_scale;
 }
 
 /* f cos of a pair that leaves the surface; 0 of any other */
