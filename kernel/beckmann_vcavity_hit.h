@@ -14,7 +14,7 @@
 /* H = scaled exp(-a^2) */
 K_STRUCT(beckmann_vcavity_hit) {
     real scaled;
-    real masked_share; /* erfc(3a)/H: the share of facets that are partly masked */
+    real masked_share; /* erfc(3a)/H: the share of facets that are partly masked; 1 for a = 0 */
 };
 
 /* The mean of erf over [a, 3a], divided by a, a <= 1/4, y = a^2 */

@@ -17,12 +17,12 @@ K_FN ggx_vcavity_ndf ggx_vcavity_ndf_prepare(ggx_vcavity_base g) {
     return s;
 }
 
-K_FN real ggx_vcavity_ndf_pdf(ggx_vcavity_ndf s, facet_pair pair) {
-    return vcavity_ndf_pdf(pair);
+K_FN real ggx_vcavity_ndf_pdf_m(ggx_vcavity_ndf s, facet_pair pair) {
+    return pair.d * k_max(pair.m.z, R(0.0));
 }
 
-K_FN real ggx_vcavity_ndf_pdf_m(ggx_vcavity_ndf s, facet_pair pair) {
-    return vcavity_ndf_pdf_m(pair);
+K_FN real ggx_vcavity_ndf_pdf(ggx_vcavity_ndf s, facet_pair pair) {
+    return vcavity_ndf_pdf(pair, ggx_vcavity_ndf_pdf_m(s, pair));
 }
 
 /* The useful normals fill an ellipse across n (kernel/ggx_useful.h); seen from z its area is
@@ -38,8 +38,8 @@ K_FN real ggx_vcavity_ndf_acceptance(ggx_vcavity_ndf s) {
 K_FN facet_draw ggx_vcavity_ndf_draw(ggx_vcavity_ndf s, real u1, real u2, real u3) {
     v3 h = crescent_point(R(1.0), R(0.0), u1, u2);
     facet_pair pair = ggx_pair_of_stretched(s.g.ggx, h);
-    return vcavity_draw_of(s.g.cavity, s.g.valid, pair, vcavity_ndf_pdf_m(pair),
-                           vcavity_ndf_pdf(pair));
+    real pdf_m = ggx_vcavity_ndf_pdf_m(s, pair);
+    return vcavity_draw_of(s.g.cavity, s.g.valid, pair, pdf_m, vcavity_ndf_pdf(pair, pdf_m));
 }
 
 /* Worst errors of a draw in float, 2 10^7 random inputs (tools/numerics/vcavity_error.c: roughness 0.01 to

@@ -20,7 +20,8 @@ K_STRUCT(vcavity_base) {
     v3 wi;
     v3 plane;
     real hit;          /* H(i) */
-    real value_scale;  /* 1/(4 H(i)) */
+    real d_scale;      /* a pair keeps D/d_scale, for where D itself is too small a number */
+    real value_scale;  /* d_scale/(4 H(i)) */
     real inv_z;        /* 1/|i_z|, finite where i_z = 0 */
     real density_bias; /* density / what is sampled; 1 but for the previous normalisation */
     bool separable;
@@ -32,6 +33,7 @@ K_FN vcavity_base vcavity_base_of(v3 wi, real hit, facet_options options) {
     c.wi = wi;
     c.plane = options.plane;
     c.hit = hit;
+    c.d_scale = R(1.0);
     c.value_scale = R(0.25) / hit;
     c.inv_z = R(1.0) / k_max(k_abs(wi.z), K_TINY);
     c.density_bias = k_select(options.previous && wi.z < R(0.0), hit, R(1.0));
@@ -71,7 +73,7 @@ K_FN real vcavity_f_cos(vcavity_base c, facet_pair pair) {
 K_FN facet_eval vcavity_eval(vcavity_base c, bool valid, facet_pair pair) {
     bool faces = valid && pair.m.z > R(0.0) && pair.cos_im > R(0.0);
     facet_eval e;
-    e.d = k_usable(k_select(pair.m.z > R(0.0), pair.d, R(0.0)));
+    e.d = k_usable(k_select(pair.m.z > R(0.0), pair.d * c.d_scale, R(0.0)));
     e.g1_i = k_usable(k_select(faces, vcavity_g1(pair, c.wi.z) / c.hit, R(0.0)));
     e.g1_o = k_usable(k_select(faces && pair.wo.z > R(0.0), vcavity_g1(pair, pair.wo.z), R(0.0)));
     e.g2 = k_select(pair.leaves, k_usable(e.g1_i * vcavity_shadowing(c, pair)), R(0.0));
@@ -85,13 +87,9 @@ K_FN real vcavity_pdf_m_of(facet_pair pair, real pdf) {
     return R(4.0) * k_max(pair.cos_im, R(0.0)) * pdf;
 }
 
-/* All normals by their area seen from above. */
-K_FN real vcavity_ndf_pdf_m(facet_pair pair) {
-    return pair.d * k_max(pair.m.z, R(0.0));
-}
-
-K_FN real vcavity_ndf_pdf(facet_pair pair) {
-    return vcavity_ndf_pdf_m(pair) / (R(4.0) * k_max(pair.cos_im, K_TINY));
+/* All normals by their area seen from above, D(m) m_z; over directions from that over normals. */
+K_FN real vcavity_ndf_pdf(facet_pair pair, real pdf_m) {
+    return pdf_m / (R(4.0) * k_max(pair.cos_im, K_TINY));
 }
 
 /* Share of the visible normals that leave: all of them from below, o_z = 2 (i.m) m_z + |i_z|, where no

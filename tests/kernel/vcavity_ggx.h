@@ -4,6 +4,8 @@
 #include "kernel/ggx_vcavity_valid.h"
 
 #define NDF(stem) ggx_##stem
+#define SPREAD 1
+#define ACROSS_WIDTH(across, a) ((across) / cos(a))
 
 static double distribution_d(const double m[3], double ax, double ay) {
     double x = m[0] / ax, y = m[1] / ay, e = x * x + y * y + m[2] * m[2];

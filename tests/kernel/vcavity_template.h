@@ -3,6 +3,8 @@
  * Before including: a binding, the kernels, and
  *   NDF(stem)          ggx_stem
  *   CLOSE              relative error allowed to a closed form
+ *   SPREAD, ACROSS_WIDTH(across, a)  of the quadrature in slopes: SPREAD tan(a) of the roughness along i,
+ *                      and the width of the distribution across it there
  *   distribution_d     the density D(m) of the test's own, in double
  *   area_within(s2)    integral of D m_z over stretched slopes of squared length below s2,
  *   slope2_of(area)    and its inverse
@@ -23,32 +25,45 @@
 
 typedef NDF(vcavity_base) base;
 
+/* A method over one shading point. */
+typedef union prepared {
+    NDF(vcavity_ndf) ndf;
+    NDF(vcavity) any;
+    NDF(vcavity_valid) valid;
+} prepared;
+
 typedef struct method {
     const char *name;
-    facet_draw (*draw)(base g, real u1, real u2, real u3);
-    real (*pdf)(base g, facet_pair pair);
-    real (*pdf_m)(base g, facet_pair pair);
-    real (*acceptance)(base g);
+    prepared (*prepare)(base g);
+    facet_draw (*draw)(const prepared *s, real u1, real u2, real u3);
+    real (*pdf)(const prepared *s, facet_pair pair);
+    real (*pdf_m)(const prepared *s, facet_pair pair);
+    real (*acceptance)(const prepared *s);
 } method;
 
-#define WRAP(name)                                                                                 \
-    static facet_draw name##_sample(base g, real u1, real u2, real u3) {                           \
-        return NDF(name##_draw)(NDF(name##_prepare)(g), u1, u2, u3);                               \
+#define WRAP(name, member)                                                                         \
+    static prepared name##_prepared(base g) {                                                      \
+        prepared s;                                                                                \
+        s.member = NDF(name##_prepare)(g);                                                         \
+        return s;                                                                                  \
     }                                                                                              \
-    static real name##_density(base g, facet_pair pair) {                                          \
-        return NDF(name##_pdf)(NDF(name##_prepare)(g), pair);                                      \
+    static facet_draw name##_sample(const prepared *s, real u1, real u2, real u3) {                \
+        return NDF(name##_draw)(s->member, u1, u2, u3);                                            \
     }                                                                                              \
-    static real name##_density_m(base g, facet_pair pair) {                                        \
-        return NDF(name##_pdf_m)(NDF(name##_prepare)(g), pair);                                    \
+    static real name##_density(const prepared *s, facet_pair pair) {                               \
+        return NDF(name##_pdf)(s->member, pair);                                                   \
     }                                                                                              \
-    static real name##_share(base g) {                                                             \
-        return NDF(name##_acceptance)(NDF(name##_prepare)(g));                                     \
+    static real name##_density_m(const prepared *s, facet_pair pair) {                             \
+        return NDF(name##_pdf_m)(s->member, pair);                                                 \
     }                                                                                              \
-    static const method name = {#name, name##_sample, name##_density, name##_density_m,            \
-                                name##_share};
-WRAP(vcavity_ndf)
-WRAP(vcavity)
-WRAP(vcavity_valid)
+    static real name##_share(const prepared *s) {                                                  \
+        return NDF(name##_acceptance)(s->member);                                                  \
+    }                                                                                              \
+    static const method name = {#name,          name##_prepared,  name##_sample,                   \
+                                name##_density, name##_density_m, name##_share};
+WRAP(vcavity_ndf, ndf)
+WRAP(vcavity, any)
+WRAP(vcavity_valid, valid)
 #undef WRAP
 
 enum { METHODS = 3 };
@@ -98,7 +113,7 @@ static real unit_at(uint64_t stream, uint64_t k, int word) {
 
 /* ---- integrals over the sphere of normals: Gauss in slopes, split where the masking has a kink ---- */
 
-enum { NODES = 16, PANELS = 4 };
+enum { NODES = 16, PANELS = 6 };
 
 typedef struct rule {
     double x[NODES], w[NODES];
@@ -137,11 +152,12 @@ static double strip_integral(normal_function f, const void *context, const shadi
     for (int i = 0; i < PANELS * NODES; ++i) {
         double ha = (high - low) / (2 * PANELS);
         double a = low + ha * (2 * (i / NODES) + 1 + r.x[i % NODES]);
-        double x = along * tan(a), dx = along / (cos(a) * cos(a)) * ha * r.w[i % NODES];
+        double x = along * SPREAD * tan(a);
+        double dx = along * SPREAD / (cos(a) * cos(a)) * ha * r.w[i % NODES];
         for (int j = 0; j < 2 * PANELS * NODES; ++j) {
             double hb = PI / (4 * PANELS);
             double b = -PI / 2 + hb * (2 * (j / NODES) + 1 + r.x[j % NODES]);
-            double width = across / cos(a);
+            double width = ACROSS_WIDTH(across, a);
             double y = width * tan(b), dy = width / (cos(b) * cos(b)) * hb * r.w[j % NODES];
             double z = 1 / sqrt(1 + x * x + y * y);
             double m[3] = {-z * (x * cp - y * sp), -z * (x * sp + y * cp), z};
@@ -156,7 +172,8 @@ static double sphere_integral(normal_function f, const void *context, const shad
     double along = sqrt(c->ax * c->ax * cp * cp + c->ay * c->ay * sp * sp);
     double cot = cos(c->theta * PI / 180) / sin(c->theta * PI / 180);
     bool below = c->theta > 90;
-    double ends[4] = {-PI / 2, atan((below ? 3 * cot : -cot) / along), atan(cot / along), PI / 2};
+    double ends[4] = {-PI / 2, atan((below ? 3 * cot : -cot) / (SPREAD * along)),
+                      atan(cot / (SPREAD * along)), PI / 2};
     return strip_integral(f, context, c, ends[0], ends[1]) +
            strip_integral(f, context, c, ends[1], ends[2]) +
            strip_integral(f, context, c, ends[2], ends[3]);
@@ -189,20 +206,26 @@ static void hit_probability(void **state) {
 
 typedef struct density_of {
     method of;
+    prepared s;
     base g;
 } density_of;
+
+static density_of density_by(method of, base g) {
+    density_of d = {of, of.prepare(g), g};
+    return d;
+}
 
 static double density_at(const void *context, const double m[3]) {
     const density_of *d = context;
     v3 normal = v3_of((real)m[0], (real)m[1], (real)m[2]);
-    return (double)d->of.pdf_m(d->g, NDF(vcavity_pair_of_m)(d->g, normal));
+    return (double)d->of.pdf_m(&d->s, NDF(vcavity_pair_of_m)(d->g, normal));
 }
 
 static void densities_integrate_to_one(void **state) {
     (void)state;
     EACH_CASE(c) {
         for (int k = 0; k < METHODS; ++k) {
-            density_of d = {method_at(k), base_at(c)};
+            density_of d = density_by(method_at(k), base_at(c));
             /* the choice of vcavity_valid jumps along curves that no panel follows */
             double tolerance = k == 2 && c->theta < 90 ? 3e-3 : DENSITY_CLOSE;
             assert_close(sphere_integral(density_at, &d, c), 1, tolerance, c, d.of.name);
@@ -215,7 +238,7 @@ static void previous_normalisation(void **state) {
     EACH_CASE(c) {
         base g = base_at(c), biased = base_with(c, facet_options_of(false, true));
         for (int k = 1; k < METHODS; ++k) {
-            density_of d = {method_at(k), biased};
+            density_of d = density_by(method_at(k), biased);
             double expected = c->theta > 90 ? (double)g.cavity.hit : 1;
             double tolerance = k == 2 && c->theta < 90 ? 3e-3 : DENSITY_CLOSE;
             assert_close(sphere_integral(density_at, &d, c), expected, tolerance, c, "previous");
@@ -233,8 +256,10 @@ typedef struct totals {
 } totals;
 
 static totals hemisphere_totals(base g) {
-    enum { RINGS = 500, SECTORS = 800 };
+    enum { RINGS = 400, SECTORS = 600 };
     totals t = {{0}, 0};
+    prepared s[METHODS];
+    for (int k = 0; k < METHODS; ++k) s[k] = method_at(k).prepare(g);
     for (int i = 0; i < RINGS; ++i) {
         double z = (i + 0.5) / RINGS, r = sqrt(1 - z * z);
         for (int j = 0; j < SECTORS; ++j) {
@@ -244,7 +269,8 @@ static totals hemisphere_totals(base g) {
             if (!pair.leaves) continue;
             double cell = 2 * PI / ((double)RINGS * SECTORS);
             t.f_cos += cell * (double)NDF(vcavity_eval)(g, pair).f_cos;
-            for (int k = 0; k < METHODS; ++k) t.pdf[k] += cell * (double)method_at(k).pdf(g, pair);
+            for (int k = 0; k < METHODS; ++k)
+                t.pdf[k] += cell * (double)method_at(k).pdf(&s[k], pair);
         }
     }
     return t;
@@ -255,13 +281,14 @@ typedef struct moments {
     double share, share_error, mean, mean_error;
 } moments;
 
-enum { DRAWS = 200000 };
+enum { DRAWS = 150000 };
 
 static moments draw_moments(method of, base g, uint64_t stream) {
+    prepared s = of.prepare(g);
     double sum = 0, sum2 = 0, leaving = 0;
     for (uint64_t k = 0; k < DRAWS; ++k) {
         facet_draw d =
-            of.draw(g, unit_at(stream, k, 0), unit_at(stream, k, 1), unit_at(stream, k, 2));
+            of.draw(&s, unit_at(stream, k, 0), unit_at(stream, k, 1), unit_at(stream, k, 2));
         sum += (double)d.weight;
         sum2 += (double)d.weight * (double)d.weight;
         leaving += d.pdf > 0;
@@ -287,7 +314,8 @@ static void draws_against_integrals(void **state) {
             moments m = draw_moments(method_at(k), g, (uint64_t)k);
             assert_close(m.share, t.pdf[k], 5 * m.share_error + 2e-3, c, method_at(k).name);
             assert_close(m.mean, t.f_cos, 5 * m.mean_error + 2e-3, c, "albedo by draws");
-            double closed = (double)method_at(k).acceptance(g);
+            prepared s = method_at(k).prepare(g);
+            double closed = (double)method_at(k).acceptance(&s);
             if (closed >= 0)
                 assert_close(m.share, closed, 5 * m.share_error + 1e-6, c, "closed acceptance");
         }
@@ -307,14 +335,15 @@ static void geometric_plane(void **state) {
             moments m = draw_moments(method_at(k), g, (uint64_t)k);
             assert_close(m.share, t.pdf[k], 5 * m.share_error + 3e-3, c, method_at(k).name);
             assert_close(m.mean, t.f_cos, 5 * m.mean_error + 3e-3, c, "albedo, tilted");
-            assert_true(method_at(k).acceptance(g) < 0);
+            prepared s = method_at(k).prepare(g);
+            assert_true(method_at(k).acceptance(&s) < 0);
         }
     }
 }
 
 /* ---- chi^2 of the drawn normals ---- */
 
-enum { RADII = 16, TURNS = 24, BINS = RADII * TURNS, FINE = 40 };
+enum { RADII = 16, TURNS = 24, BINS = RADII * TURNS, FINE = 28 };
 
 /* The chart: area of D m_z within the radius, from what i can see at all to 1; and turns. */
 typedef struct chart {
@@ -339,6 +368,7 @@ static int bin_of(chart map, const shading *c, v3 m) {
 }
 
 static void expected_counts(method of, base g, const shading *c, chart map, double *expected) {
+    density_of d = density_by(of, g);
     memset(expected, 0, BINS * sizeof *expected);
     for (int i = 0; i < RADII * FINE; ++i) {
         double s = sqrt(slope2_of(map.first + (1 - map.first) * (i + 0.5) / (RADII * FINE)));
@@ -347,7 +377,6 @@ static void expected_counts(method of, base g, const shading *c, chart map, doub
             double x = c->ax * s * cos(turn), y = c->ay * s * sin(turn);
             double z = 1 / sqrt(1 + x * x + y * y);
             double m[3] = {x * z, y * z, z};
-            density_of d = {of, g};
             double share = density_at(&d, m) / (distribution_d(m, c->ax, c->ay) * z);
             expected[i / FINE * TURNS + j / FINE] +=
                 DRAWS * share * (1 - map.first) / ((double)BINS * FINE * FINE);
@@ -380,10 +409,11 @@ static double draws_p(method drawn, method density, const shading *c) {
     base g = base_at(c);
     chart map = chart_of(c);
     expected_counts(density, g, c, map, expected);
+    prepared s = drawn.prepare(g);
     memset(counts, 0, sizeof counts);
     for (uint64_t k = 0; k < DRAWS; ++k)
         counts[bin_of(map, c,
-                      drawn.draw(g, unit_at(7, k, 0), unit_at(7, k, 1), unit_at(7, k, 2)).m)] += 1;
+                      drawn.draw(&s, unit_at(7, k, 0), unit_at(7, k, 1), unit_at(7, k, 2)).m)] += 1;
     return chi_square_p(counts, expected);
 }
 
@@ -415,14 +445,15 @@ static void a_draw_is_its_pair(void **state) {
     EACH_CASE(c) {
         base g = base_at(c);
         for (int k = 0; k < METHODS; ++k) {
+            prepared s = method_at(k).prepare(g);
             for (uint64_t n = 0; n < 2000; ++n) {
-                facet_draw d = method_at(k).draw(g, unit_at(3, n, 0), R(0.98) * unit_at(3, n, 1),
+                facet_draw d = method_at(k).draw(&s, unit_at(3, n, 0), R(0.98) * unit_at(3, n, 1),
                                                  unit_at(3, n, 2));
                 facet_pair by_m = NDF(vcavity_pair_of_m)(g, d.m);
                 double noise = (double)K_EPS * (40 + 4 / (fabs((double)d.cos_im) + 1e-9));
                 if (noise > 1e-3 || !(d.pdf > 0)) continue;
                 double f_cos = (double)NDF(vcavity_eval)(g, by_m).f_cos;
-                double pdf = (double)method_at(k).pdf(g, by_m);
+                double pdf = (double)method_at(k).pdf(&s, by_m);
                 assert_close((double)d.pdf / pdf, 1, noise, c, "density of a draw");
                 assert_close((double)d.weight / (f_cos / pdf), 1, noise, c, "weight of a draw");
                 assert_true(k == 0 || d.weight < R(1.0) + R(8.0) * K_EPS);
@@ -465,8 +496,8 @@ static void horizon_has_no_seam(void **state) {
         double f = (double)NDF(vcavity_eval)(a, NDF(vcavity_pair_of_wo)(a, wo)).f_cos;
         double e = (double)NDF(vcavity_eval)(b, NDF(vcavity_pair_of_wo)(b, wo)).f_cos;
         double z = (double)NDF(vcavity_eval)(on, NDF(vcavity_pair_of_wo)(on, wo)).f_cos;
-        assert_close(f, e, 100 * (double)tiny * f, &c, "either side of the horizon");
-        assert_close(f, z, 100 * (double)tiny * f, &c, "on the horizon");
+        assert_close(f, e, 1000 * (double)tiny * f, &c, "either side of the horizon");
+        assert_close(f, z, 1000 * (double)tiny * f, &c, "on the horizon");
     }
 }
 
@@ -485,10 +516,12 @@ static void special_floats(void **state) {
         real r = k_sqrt(k_max(R(1.0) - wz * wz, R(0.0)));
         base g = NDF(vcavity_base_of)(v3_of(r, R(0.0), wz), alpha[i / 12 % 8], alpha[i / 96],
                                       facet_options_of(i % 2, i % 3 == 0));
+        prepared s[METHODS];
+        for (int k = 0; k < METHODS; ++k) s[k] = method_at(k).prepare(g);
         for (int k = 0; k < METHODS * 216; ++k) {
             method of = method_at(k % METHODS);
             int j = k / METHODS;
-            facet_draw d = of.draw(g, u[j % 6], u[j / 6 % 6], u[j / 36]);
+            facet_draw d = of.draw(&s[k % METHODS], u[j % 6], u[j / 6 % 6], u[j / 36]);
             facet_pair pair = NDF(vcavity_pair_of_wo)(g, direction(5 + j % 85, 3 * j));
             facet_eval e = NDF(vcavity_eval)(g, pair);
             bool good = v3_is_finite(d.m) && v3_is_finite(d.wo) && is_good(d.pdf) &&
@@ -513,10 +546,11 @@ typedef struct furnace {
 /* A grid in (u1, u2), an additive sequence in u3. */
 static furnace furnace_of(method of, base g) {
     enum { SIDE = 256 };
+    prepared s = of.prepare(g);
     double sum = 0, sum2 = 0, rejected = 0;
     for (int k = 0; k < SIDE * SIDE; ++k) {
         double u3 = k * 0.6180339887498949;
-        facet_draw d = of.draw(g, (real)((k % SIDE + 0.5) / SIDE), (real)((k / SIDE + 0.5) / SIDE),
+        facet_draw d = of.draw(&s, (real)((k % SIDE + 0.5) / SIDE), (real)((k / SIDE + 0.5) / SIDE),
                                (real)(u3 - floor(u3)));
         sum += (double)d.weight;
         sum2 += (double)d.weight * (double)d.weight;

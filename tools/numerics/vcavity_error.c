@@ -15,6 +15,9 @@
 #include "kernel/bind/c_f32.h"
 #endif
 
+#include "kernel/beckmann_vcavity.h"
+#include "kernel/beckmann_vcavity_ndf.h"
+#include "kernel/beckmann_vcavity_valid.h"
 #include "kernel/ggx_vcavity.h"
 #include "kernel/ggx_vcavity_ndf.h"
 #include "kernel/ggx_vcavity_valid.h"
@@ -54,7 +57,10 @@ typedef struct model {
 #define MODELS(ROW)                                                                                \
     ROW(ggx_vcavity, ggx_vcavity_ndf)                                                              \
     ROW(ggx_vcavity, ggx_vcavity)                                                                  \
-    ROW(ggx_vcavity, ggx_vcavity_valid)
+    ROW(ggx_vcavity, ggx_vcavity_valid)                                                            \
+    ROW(beckmann_vcavity, beckmann_vcavity_ndf)                                                    \
+    ROW(beckmann_vcavity, beckmann_vcavity)                                                        \
+    ROW(beckmann_vcavity, beckmann_vcavity_valid)
 MODELS(MODEL)
 
 #define ENTRY(family, name) {#name, name##_result, name##_pdf_at},

@@ -7,6 +7,8 @@
  * A grid in (u1, u2), an additive sequence in u3; azimuth 45 degrees. */
 #include "kernel/bind/c_f64.h"
 
+#include "kernel/beckmann_vcavity.h"
+#include "kernel/beckmann_vcavity_valid.h"
 #include "kernel/ggx_vcavity.h"
 #include "kernel/ggx_vcavity_valid.h"
 
@@ -36,6 +38,8 @@ typedef moments (*furnace)(v3 wi, double ax, double ay);
     }
 FURNACE(ggx_vcavity, ggx_vcavity_base_of)
 FURNACE(ggx_vcavity_valid, ggx_vcavity_base_of)
+FURNACE(beckmann_vcavity, beckmann_vcavity_base_of)
+FURNACE(beckmann_vcavity_valid, beckmann_vcavity_base_of)
 
 static double variance(moments m) {
     return m.square / (m.mean * m.mean) - 1;
@@ -58,5 +62,6 @@ static void table(const char *title, furnace published, furnace valid) {
 
 int main(void) {
     table("GGX", ggx_vcavity_furnace, ggx_vcavity_valid_furnace);
+    table("Beckmann", beckmann_vcavity_furnace, beckmann_vcavity_valid_furnace);
     return 0;
 }
