@@ -6,6 +6,8 @@
 #include <math.h>
 
 #define NDF(stem) beckmann_##stem
+#define DEEP_CASE                                                                                  \
+    { 0.5, 0.5, 150, 80 }
 #define SPREAD 2
 #define ACROSS_WIDTH(across, a) (3 * (across))
 

@@ -4,6 +4,8 @@
 #include "kernel/ggx_vcavity_valid.h"
 
 #define NDF(stem) ggx_##stem
+#define DEEP_CASE                                                                                  \
+    { 0.2, 0.2, 165, 80 }
 #define SPREAD 1
 #define ACROSS_WIDTH(across, a) ((across) / cos(a))
 

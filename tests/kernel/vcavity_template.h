@@ -3,6 +3,7 @@
  * Before including: a binding, the kernels, and
  *   NDF(stem)          ggx_stem
  *   CLOSE              relative error allowed to a closed form
+ *   DEEP_CASE          a case far below the horizon
  *   SPREAD, ACROSS_WIDTH(across, a)  of the quadrature in slopes: SPREAD tan(a) of the roughness along i,
  *                      and the width of the distribution across it there
  *   distribution_d     the density D(m) of the test's own, in double
@@ -417,7 +418,7 @@ static double draws_p(method drawn, method density, const shading *c) {
     return chi_square_p(counts, expected);
 }
 
-/* 18 tests, together at a significance of 1e-3. */
+/* 20 tests, together at a significance of 1e-3. */
 static void draws_have_their_density(void **state) {
     (void)state;
     EACH_CASE(c) {
