@@ -20,7 +20,8 @@ static const lobe_app_option options[] = {
     {"--quick", NULL, NULL, "fewer and shorter rounds, for a first look", NULL,
      offsetof(bench_values, quick), NULL},
     {"--only", "PATTERN", "all rows",
-     "a shell pattern that occurs in \"NDF MASKING METHOD PRECISION PREPARED\", as \"caps f32\"",
+     "a shell pattern that occurs in \"NDF MASKING METHOD ISA PRECISION PREPARED\", as "
+     "\"caps avx2 f32\"",
      lobe_app_read_name, offsetof(bench_values, only), NULL},
     {"--json", NULL, NULL, "one JSON object on standard output", NULL, offsetof(bench_values, json),
      NULL},
@@ -141,7 +142,7 @@ lobe_app_status lobe_app_bench(int argc, char **argv) {
         "and the time to copy the same bytes through memory, all in one run. Medians over rounds.",
         NULL,
         groups,
-        "lobe bench --quick --only 'caps f32'"};
+        "lobe bench --quick --only 'caps * f32'"};
     lobe_app_arguments arguments;
     const lobe_app_status status = lobe_app_parse(&command, argc, argv, &arguments);
     return status || arguments.is_answered ? status : run_bench(&values);

@@ -1,6 +1,8 @@
 /* The public entrance: choosing rows, going round them, medians. */
 #include <lobe/bench.h>
 
+#include <lobe/batch.h>
+
 #include <fnmatch.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -40,12 +42,16 @@ static const char *prepared_name(const work *w) {
     return w->is_shared ? "shared" : "each";
 }
 
+static const char *isa_name(const work *w) {
+    return w->isa ? w->isa : "call";
+}
+
 static int is_chosen(const char *only, const work *w) {
     if (only == NULL) return 1;
     char title[TITLE_ROOM], pattern[PATTERN_ROOM];
     lobe_model m = w->options.model;
-    snprintf(title, sizeof title, "%s %s %s %s %s", lobe_ndf_name(m.ndf),
-             lobe_masking_name(m.masking), lobe_method_name(m.method),
+    snprintf(title, sizeof title, "%s %s %s %s %s %s", lobe_ndf_name(m.ndf),
+             lobe_masking_name(m.masking), lobe_method_name(m.method), isa_name(w),
              precision_names[w->precision], prepared_name(w));
     if (strlen(only) >= PATTERN_ROOM - 2) return 0;
     snprintf(pattern, sizeof pattern, "*%s*", only);
@@ -53,22 +59,24 @@ static int is_chosen(const char *only, const work *w) {
 }
 
 static int choose_rows(run *r) {
-    int all = lobe_model_count() * PRECISIONS * 2;
+    int sets = 1; /* single calls, then every instruction set */
+    while (lobe_isa_at(sets - 1)) ++sets;
+    int all = lobe_model_count() * sets * PRECISIONS * 2;
     r->rows = calloc((size_t)all, sizeof *r->rows);
     if (r->rows == NULL) return 0;
     for (int i = 0; i < all; ++i) {
-        work w = {lobe_reflection_default_options(), (precision)(i / 2 % PRECISIONS), i % 2 == 0};
-        w.options.model = lobe_model_at(i / 2 / PRECISIONS);
+        work w = {lobe_reflection_default_options(), (precision)(i / 2 % PRECISIONS), i % 2 == 0,
+                  lobe_isa_at(i / 2 / PRECISIONS % sets - 1)};
+        w.options.model = lobe_model_at(i / 2 / PRECISIONS / sets);
         if (!is_chosen(r->options->only, &w)) continue;
         timed_row *row = &r->rows[r->count++];
         row->work = w;
-        if (w.precision == PRECISION_F32 && !w.is_shared)
-            row->published = lobe_listing_of(w.options.model);
+        if (w.precision == PRECISION_F32) row->published = lobe_listing_of(w.options.model);
     }
     return 1;
 }
 
-static double run_loop(const run *r, const timed_row *row, loop which) {
+static double run_loop(run *r, const timed_row *row, loop which) {
     switch (which) {
     case LOOP_DRAW:
         return work_draw(&row->work, &r->inputs);
@@ -83,6 +91,7 @@ static double run_loop(const run *r, const timed_row *row, loop which) {
 
 /* Seconds for `repetitions` passes. */
 static double time_loop(run *r, const timed_row *row, loop which, int repetitions) {
+    lobe_restrict_isa(row->work.isa);
     double start = machine_seconds();
     for (int k = 0; k < repetitions; ++k) r->sum += run_loop(r, row, which);
     return machine_seconds() - start;
@@ -134,7 +143,7 @@ static double median(run *r, timed_row *row, loop which) {
 
 static void report(run *r, timed_row *row) {
     lobe_bench_row out = {.model = row->work.options.model,
-                          .isa = "scalar",
+                          .isa = isa_name(&row->work),
                           .precision = precision_names[row->work.precision],
                           .prepared = prepared_name(&row->work)};
     out.ns = median(r, row, LOOP_DRAW);
@@ -165,6 +174,7 @@ lobe_bench_result lobe_bench_run(const lobe_bench_options *options, lobe_bench_m
         machine_name(machine->cpu, sizeof machine->cpu);
         machine->copy = r.copy;
     }
+    lobe_restrict_isa(NULL);
     free(r.rows);
     return result;
 }

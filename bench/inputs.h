@@ -1,16 +1,24 @@
-/* bench/inputs.h: what the draws are made of: arrays that stay in the first-level cache. */
+/* bench/inputs.h: what the draws are made of, and room for what comes out: arrays that stay in the
+ * second-level cache. */
 #ifndef LOBE_BENCH_INPUTS_H
 #define LOBE_BENCH_INPUTS_H
 
-#include <lobe/types.h>
+enum { INPUTS = 1024 };
 
-enum { INPUTS = 512 };
+/* Row 0 stands for all where the model is prepared once. */
+typedef struct inputs_f32 {
+    float wi[3][INPUTS], alpha[2][INPUTS], u[3][INPUTS], wo[3][INPUTS];
+    float out_wo[3][INPUTS], out_pdf[INPUTS], out_weight[INPUTS];
+} inputs_f32;
 
-/* Element 0 stands for all where the model is prepared once. */
+typedef struct inputs_f64 {
+    double wi[3][INPUTS], alpha[2][INPUTS], u[3][INPUTS], wo[3][INPUTS];
+    double out_wo[3][INPUTS], out_pdf[INPUTS], out_weight[INPUTS];
+} inputs_f64;
+
 typedef struct inputs {
-    lobe_vec3_f64 wi[INPUTS], wo[INPUTS];
-    double alpha_x[INPUTS], alpha_y[INPUTS];
-    double u1[INPUTS], u2[INPUTS], u3[INPUTS];
+    inputs_f32 f32;
+    inputs_f64 f64;
 } inputs;
 
 void inputs_fill(inputs *in);

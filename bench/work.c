@@ -1,5 +1,7 @@
 #include "work.h"
 
+#include <lobe/batch.h>
+
 #define REAL float
 #define NAME(stem) stem##_f32
 #include "work_template.h"
@@ -8,20 +10,20 @@
 #define NAME(stem) stem##_f64
 #include "work_template.h"
 
-double work_draw(const work *w, const inputs *in) {
-    return w->precision == PRECISION_F32 ? draw_f32(w, in) : draw_f64(w, in);
+double work_draw(const work *w, inputs *in) {
+    return w->precision == PRECISION_F32 ? draw_f32(w, &in->f32) : draw_f64(w, &in->f64);
 }
 
-double work_pdf(const work *w, const inputs *in) {
-    return w->precision == PRECISION_F32 ? pdf_f32(w, in) : pdf_f64(w, in);
+double work_pdf(const work *w, inputs *in) {
+    return w->precision == PRECISION_F32 ? pdf_f32(w, &in->f32) : pdf_f64(w, &in->f64);
 }
 
 double work_listing(listing *published, const inputs *in) {
+    const inputs_f32 *f = &in->f32;
     double sum = 0;
     for (int i = 0; i < INPUTS; ++i) {
-        lobe_vec3_f32 wi = {(float)in->wi[i].x, (float)in->wi[i].y, (float)in->wi[i].z};
-        listing_draw d = published(wi, (float)in->alpha_x[i], (float)in->alpha_y[i],
-                                   (float)in->u1[i], (float)in->u2[i]);
+        lobe_vec3_f32 wi = {f->wi[0][i], f->wi[1][i], f->wi[2][i]};
+        listing_draw d = published(wi, f->alpha[0][i], f->alpha[1][i], f->u[0][i], f->u[1][i]);
         sum += d.wo.x + d.pdf + d.weight;
     }
     return sum;

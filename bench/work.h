@@ -1,5 +1,5 @@
-/* bench/work.h: the loops that are timed. Each goes once over the inputs and returns a sum of what it
- * computed, so that no compiler may leave anything out. */
+/* bench/work.h: the loops that are timed. Each goes once over the inputs and returns a number made of
+ * what it computed, so that no compiler may leave anything out. */
 #ifndef LOBE_BENCH_WORK_H
 #define LOBE_BENCH_WORK_H
 
@@ -14,11 +14,12 @@ typedef enum precision { PRECISION_F32, PRECISION_F64, PRECISIONS } precision;
 typedef struct work {
     lobe_reflection_options options;
     precision precision;
-    int is_shared; /* prepared once */
+    int is_shared;   /* prepared once */
+    const char *isa; /* of the batches; NULL: one call a row */
 } work;
 
-double work_draw(const work *w, const inputs *in);
-double work_pdf(const work *w, const inputs *in);
+double work_draw(const work *w, inputs *in);
+double work_pdf(const work *w, inputs *in);
 double work_listing(listing *published, const inputs *in);
 
 /* Bytes that a draw reads and writes: directions, roughness and random numbers in; direction, density

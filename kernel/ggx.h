@@ -36,10 +36,10 @@ K_STRUCT(ggx_base) {
     real density_bias; /* density / what is sampled; 1 but for the previous normalisation */
     v3 plane;          /* the geometric normal */
     real floor_share;  /* how much of a density ignores shadowing, for the methods that follow it */
-    bool separable;
-    bool tilted; /* the plane is not the shading plane */
-    bool valid;
-    bool mirror;
+    kint separable;
+    kint tilted; /* the plane is not the shading plane */
+    kint valid;
+    kint mirror;
 };
 
 K_FN real ggx_alpha_floor(real alpha) {
@@ -70,16 +70,16 @@ K_FN ggx_base ggx_base_of(v3 wi, real alpha_x, real alpha_y, facet_options optio
     g.one_plus_z = k_select(z < R(0.0), smaller, larger);
     g.one_minus_z = k_select(z < R(0.0), larger, smaller);
     g.visible = g.t_i * g.one_plus_z;
-    g.density_bias = k_select(options.previous && z < R(0.0), smaller / larger, R(1.0));
+    g.density_bias = k_select(k_and(k_is(options.previous), z < R(0.0)), smaller / larger, R(1.0));
     g.plane = options.plane;
-    g.tilted = facet_is_tilted(options.plane);
+    g.tilted = k_flag(facet_is_tilted(options.plane));
     g.floor_share = k_saturate(options.floor_share);
     g.separable = options.separable;
     /* straight from below nothing is visible */
-    g.valid = usable && g.visible > R(1e6) * K_TINY;
-    g.visible = k_select(g.valid, g.visible, R(1.0));
+    g.valid = k_flag(k_and(usable, g.visible > R(1e6) * K_TINY));
+    g.visible = k_select(k_is(g.valid), g.visible, R(1.0));
     g.value_scale = R(0.5) / g.visible;
-    g.mirror = usable && alpha_x < GGX_ALPHA_MIN && alpha_y < GGX_ALPHA_MIN;
+    g.mirror = k_flag(k_and(usable, k_and(alpha_x < GGX_ALPHA_MIN, alpha_y < GGX_ALPHA_MIN)));
     return g;
 }
 
@@ -126,13 +126,13 @@ K_FN real ggx_shadowing(ggx_base g, v3 wo) {
     /* from behind height correlation has no meaning: its limit i_z -> 0 */
     real i_z = k_max(g.wi.z, R(0.0));
     real correlated = wo.z * (i_z + g.t_i) / (g.t_i * wo.z + t_o * i_z);
-    return k_select(g.separable, separable, correlated);
+    return k_select(k_is(g.separable), separable, correlated);
 }
 
 /* f cos of a pair that leaves the surface; 0 of any other */
 K_FN real ggx_f_cos(ggx_base g, facet_pair pair) {
     real value = pair.d * ggx_shadowing(g, pair.wo) * g.value_scale;
-    return k_select(g.valid && pair.leaves, k_usable(value), R(0.0));
+    return k_select(k_and(k_is(g.valid), pair.leaves), k_usable(value), R(0.0));
 }
 
 /* The pair of a given o. Straight back (o = -i) has no half vector: it does not leave. */
@@ -148,7 +148,8 @@ K_FN facet_pair ggx_pair_of_wo(ggx_base g, v3 wo) {
     pair.m = v3_scale(h, inv * side);
     pair.cos_im = v3_dot(g.wi, h) * inv * side;
     pair.d = ggx_d_stretched(g, safe_h2 / k_max(v3_dot(w, w), K_TINY));
-    pair.leaves = facet_leaves(wo, g.plane) && h.z > R(0.0) && h2 > K_TINY && pair.cos_im > R(0.0);
+    pair.leaves = k_and(facet_leaves(wo, g.plane),
+                        k_and(h.z > R(0.0), k_and(h2 > K_TINY, pair.cos_im > R(0.0))));
     return pair;
 }
 
@@ -159,7 +160,7 @@ K_FN facet_pair ggx_pair_of_m(ggx_base g, v3 m) {
     pair.cos_im = v3_dot(g.wi, m);
     pair.wo = v3_sub(v3_scale(m, R(2.0) * pair.cos_im), g.wi);
     pair.d = ggx_d(g, m);
-    pair.leaves = facet_leaves(pair.wo, g.plane) && m.z > R(0.0) && pair.cos_im > R(0.0);
+    pair.leaves = k_and(facet_leaves(pair.wo, g.plane), k_and(m.z > R(0.0), pair.cos_im > R(0.0)));
     return pair;
 }
 
@@ -175,7 +176,7 @@ K_FN facet_pair ggx_pair_of_stretched(ggx_base g, v3 h) {
     pair.wo = v3_sub(v3_scale(pair.m, R(2.0) * pair.cos_im), g.wi);
     real d = ggx_d_stretched(g, ah2 / k_max(h2, K_TINY));
     pair.d = k_select(h.z >= R(0.0), d, R(0.0));
-    pair.leaves = facet_leaves(pair.wo, g.plane) && pair.cos_im > R(0.0) && h2 > K_TINY;
+    pair.leaves = k_and(facet_leaves(pair.wo, g.plane), k_and(pair.cos_im > R(0.0), h2 > K_TINY));
     return pair;
 }
 
@@ -192,11 +193,11 @@ K_FN facet_eval ggx_eval(ggx_base g, facet_pair pair) {
 /* A draw from its pair, the two densities of the method there, and f cos / pdf. */
 K_FN facet_draw ggx_weighted_draw(ggx_base g, facet_pair pair, real pdf_m, real pdf, real weight) {
     facet_draw draw;
-    bool valid = g.valid && pair.leaves && k_usable(pdf) > R(0.0);
+    bool valid = k_and(k_is(g.valid), k_and(pair.leaves, k_usable(pdf) > R(0.0)));
     draw.m = pair.m;
     draw.wo = pair.wo;
     draw.cos_im = pair.cos_im;
-    draw.pdf_m = k_select(g.valid, k_usable(pdf_m), R(0.0));
+    draw.pdf_m = k_select(k_is(g.valid), k_usable(pdf_m), R(0.0));
     draw.pdf = k_select(valid, pdf, R(0.0));
     draw.weight = k_select(valid, k_usable(weight), R(0.0));
     return draw;

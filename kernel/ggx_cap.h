@@ -36,7 +36,7 @@ K_FN real ggx_cap_pdf(ggx_cap s, facet_pair pair) {
 /* A normal whose reflection leaves lies in the cap by construction; the others may not. */
 K_FN real ggx_cap_pdf_m(ggx_cap s, facet_pair pair) {
     real depth = R(1.0) - ggx_stretched_out(s.g, pair.m).z;
-    return k_select(pair.leaves || depth <= s.w, ggx_visible_pdf_m(s.visible, pair), R(0.0));
+    return k_select(k_or(pair.leaves, depth <= s.w), ggx_visible_pdf_m(s.visible, pair), R(0.0));
 }
 
 K_FN real ggx_cap_acceptance(ggx_cap s) {

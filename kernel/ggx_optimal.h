@@ -23,7 +23,7 @@ K_STRUCT(ggx_optimal) {
     v3 across_x;
     v3 across_y;
     real w;     /* 1 - kappa */
-    bool tilts; /* else: the cap of the visible normals, about z */
+    kint tilts; /* else: the cap of the visible normals, about z */
 };
 
 /* What the cap's free scalar needs: everything in the frame (e1, e2, i_std). */
@@ -146,10 +146,10 @@ K_FN ggx_optimal ggx_optimal_prepare(ggx_base g) {
     real inv_norm = R(1.0) / k_sqrt(k_max(v3_dot(a, a), K_TINY));
     real w = R(1.0) - ggx_optimal_c(q, z, f) * inv_norm;
     /* from behind, and where rounding spoils a grazing case: the cap of the visible normals */
-    bool tilts = g.i_std.z > R(0.0) && w > R(0.0) && w < g.one_plus_z;
+    bool tilts = k_and(g.i_std.z > R(0.0), k_and(w > R(0.0), w < g.one_plus_z));
     v3 axis = v3_select(tilts, v3_scale(a, inv_norm), v3_of(R(0.0), R(0.0), R(1.0)));
     ggx_optimal s = ggx_optimal_with_axis(g, axis, k_select(tilts, w, g.one_plus_z));
-    s.tilts = tilts;
+    s.tilts = k_flag(tilts);
     return s;
 }
 
@@ -159,7 +159,7 @@ K_FN real ggx_optimal_pdf(ggx_optimal s, facet_pair pair) {
 
 K_FN real ggx_optimal_pdf_m(ggx_optimal s, facet_pair pair) {
     real depth = R(1.0) - v3_dot(s.axis, ggx_stretched_out(s.g, pair.m));
-    return k_select(pair.leaves || depth <= s.w, ggx_visible_pdf_m(s.visible, pair), R(0.0));
+    return k_select(k_or(pair.leaves, depth <= s.w), ggx_visible_pdf_m(s.visible, pair), R(0.0));
 }
 
 K_FN real ggx_optimal_acceptance(ggx_optimal s) {
@@ -178,7 +178,7 @@ K_FN v3 ggx_optimal_half_vector(ggx_optimal s, real u1, real u2) {
 K_FN facet_draw ggx_optimal_draw(ggx_optimal s, real u1, real u2, real u3) {
     /* from behind the cap is small and opposite to i: there only the form about z does not cancel */
     v3 about_z = ggx_cap_half_vector(ggx_cap_of(s.g, R(0.0)), u1, u2);
-    v3 h = v3_select(s.tilts, ggx_optimal_half_vector(s, u1, u2), about_z);
+    v3 h = v3_select(k_is(s.tilts), ggx_optimal_half_vector(s, u1, u2), about_z);
     return ggx_visible_draw(s.g, s.visible, ggx_pair_of_stretched(s.g, h));
 }
 

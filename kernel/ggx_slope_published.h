@@ -9,11 +9,13 @@
 
 K_STRUCT(ggx_slope_published) {
     ggx_slope slope;
+    kint as_published; /* i above the surface, at an angle; elsewhere the exact slope */
 };
 
 K_FN ggx_slope_published ggx_slope_published_prepare(ggx_base g) {
     ggx_slope_published s;
     s.slope = ggx_slope_prepare(g);
+    s.as_published = k_flag(k_and(s.slope.g.i_std.z > R(1e-4), s.slope.azimuth.rho > R(1e-4)));
     return s;
 }
 
@@ -45,7 +47,7 @@ K_FN ggx_slope_along ggx_slope_published_along(ggx_slope s, real u1) {
     real d = k_sqrt(k_max(b * b * tmp * tmp - (a * a - b * b) * tmp, R(0.0)));
     real x1 = b * tmp - d;
     real x2 = b * tmp + d;
-    real x = k_select(a < R(0.0) || x2 * b > R(1.0), x1, x2);
+    real x = k_select(k_or(a<R(0.0), x2 * b> R(1.0)), x1, x2);
     ggx_slope_along along;
     along.c = R(1.0) / k_sqrt(R(1.0) + x * x);
     along.s = x * along.c;
@@ -55,13 +57,11 @@ K_FN ggx_slope_along ggx_slope_published_along(ggx_slope s, real u1) {
 K_FN facet_draw ggx_slope_published_draw(ggx_slope_published s, real u1, real u2, real u3) {
     bool upper = u2 > R(0.5);
     real z = ggx_slope_published_z(k_select(upper, R(2.0) * u2 - R(1.0), R(1.0) - R(2.0) * u2));
-    /* the paper's method is for i above the surface at an angle; elsewhere the exact slope */
-    bool as_published = s.slope.g.i_std.z > R(1e-4) && s.slope.azimuth.rho > R(1e-4);
     ggx_slope_along exact = ggx_slope_along_of(s.slope, u1);
     ggx_slope_along published = ggx_slope_published_along(s.slope, u1);
     ggx_slope_along along;
-    along.s = k_select(as_published, published.s, exact.s);
-    along.c = k_select(as_published, published.c, exact.c);
+    along.s = k_select(k_is(s.as_published), published.s, exact.s);
+    along.c = k_select(k_is(s.as_published), published.c, exact.c);
     k_sincos half_e;
     half_e.s = R(1.0) / k_sqrt(R(1.0) + z * z);
     half_e.c = z * half_e.s;

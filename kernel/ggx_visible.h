@@ -40,7 +40,7 @@ K_FN facet_draw ggx_visible_draw(ggx_base g, ggx_visible v, facet_pair pair) {
 
 /* Share of the draws that leave the surface; with a second plane it has no closed form. */
 K_FN real ggx_visible_acceptance(ggx_base g, ggx_visible v) {
-    return k_select(g.tilted, R(-1.0), R(2.0) * ggx_useful_area(g) / v.w);
+    return k_select(k_is(g.tilted), R(-1.0), R(2.0) * ggx_useful_area(g) / v.w);
 }
 
 /* The reflection of i_std about the stretched m. */

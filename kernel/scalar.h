@@ -24,7 +24,7 @@ K_FN real k_unit(real u) {
 
 /* x where it is a usable density or weight: positive and finite; 0 where it is anything else. */
 K_FN real k_usable(real x) {
-    return k_select(x > R(0.0) && x < K_HUGE * R(1e8), x, R(0.0));
+    return k_select(k_and(x > R(0.0), x < K_HUGE * R(1e8)), x, R(0.0));
 }
 
 K_FN bool k_is_finite(real x) {

@@ -49,7 +49,7 @@ K_FN v3 v3_select(bool condition, v3 yes, v3 no) {
 }
 
 K_FN bool v3_is_finite(v3 a) {
-    return k_is_finite(a.x) && k_is_finite(a.y) && k_is_finite(a.z);
+    return k_and(k_is_finite(a.x), k_and(k_is_finite(a.y), k_is_finite(a.z)));
 }
 
 #endif

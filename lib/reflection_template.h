@@ -4,27 +4,12 @@
  *   LOBE_NAME(stem)   lobe_stem_f32 or lobe_stem_f64
  * The models come from LOBE_MODELS. Each is a kernel of five functions (prepare, draw, pdf, pdf_m,
  * acceptance) over a family of five (base_of, pair_of_wo, pair_of_m, eval; kernel/facet.h). */
-#include "lobe/reflection.h"
-
-#include "../kernel/ggx_bounded.h"
-#include "../kernel/ggx_caps.h"
-#include "../kernel/ggx_ellipsoid.h"
-#include "../kernel/ggx_ndf.h"
-#include "../kernel/ggx_optimal.h"
-#include "../kernel/ggx_slope.h"
-#include "../kernel/ggx_slope_published.h"
+#include "models.h"
 
 typedef LOBE_NAME(reflection) model_type;
 typedef LOBE_NAME(reflection_draw) draw_type;
 typedef LOBE_NAME(reflection_eval) eval_type;
 typedef LOBE_NAME(vec3) vec_type;
-
-/* The family of a distribution and a masking: the stem of its kernel functions. */
-#define FAMILY_GGX_SMITH ggx
-
-#define JOIN(a, b) a##b
-#define JOIN_EXPANDED(a, b) JOIN(a, b)
-#define FAMILY(NDF, MASKING, suffix) JOIN_EXPANDED(FAMILY_##NDF##_##MASKING, suffix)
 
 static v3 in(vec_type v) {
     return v3_of(v.x, v.y, v.z);
@@ -58,10 +43,6 @@ static eval_type eval_of(facet_pair pair, facet_eval known, real pdf_m, real pdf
     return e;
 }
 
-#define ROW_INDEX(NDF, MASKING, METHOD, kernel) INDEX_##kernel,
-enum { LOBE_MODELS(ROW_INDEX) ROW_COUNT };
-#undef ROW_INDEX
-
 #define LOAD(type, value)                                                                          \
     type value;                                                                                    \
     memcpy(&value, model->prepared, sizeof value)
@@ -73,12 +54,10 @@ enum { LOBE_MODELS(ROW_INDEX) ROW_COUNT };
     static model_type kernel##_row_prepare(v3 wi, real ax, real ay, facet_options options) {       \
         FAMILY(NDF, MASKING, _base) g = FAMILY(NDF, MASKING, _base_of)(wi, ax, ay, options);       \
         kernel s = kernel##_prepare(g);                                                            \
-        v3 mirrored = v3_of(-g.wi.x, -g.wi.y, g.wi.z);                                             \
         model_type model;                                                                          \
         model.row = INDEX_##kernel;                                                                \
         model.is_valid = g.valid;                                                                  \
         model.is_mirror = g.valid && g.mirror;                                                     \
-        model.mirror_leaves = facet_leaves(mirrored, g.plane);                                     \
         model.alpha_x = g.ax;                                                                      \
         model.alpha_y = g.ay;                                                                      \
         model.wi = out(g.wi);                                                                      \
@@ -86,8 +65,10 @@ enum { LOBE_MODELS(ROW_INDEX) ROW_COUNT };
         return model;                                                                              \
     }                                                                                              \
     static facet_draw kernel##_row_draw(const model_type *model, real u1, real u2, real u3) {      \
+        LOAD(FAMILY(NDF, MASKING, _base), g);                                                      \
         LOAD(kernel, s);                                                                           \
-        return kernel##_draw(s, u1, u2, u3);                                                       \
+        facet_draw d = kernel##_draw(s, u1, u2, u3);                                               \
+        return facet_draw_of(d, g.wi, g.plane, g.valid, g.mirror);                                 \
     }                                                                                              \
     static real kernel##_row_pdf(const model_type *model, v3 wo) {                                 \
         LOAD(FAMILY(NDF, MASKING, _base), g);                                                      \
@@ -110,8 +91,9 @@ enum { LOBE_MODELS(ROW_INDEX) ROW_COUNT };
         return eval_of(pair, known, kernel##_pdf_m(s, pair), kernel##_pdf(s, pair));               \
     }                                                                                              \
     static real kernel##_row_acceptance(const model_type *model) {                                 \
+        LOAD(FAMILY(NDF, MASKING, _base), g);                                                      \
         LOAD(kernel, s);                                                                           \
-        return kernel##_acceptance(s);                                                             \
+        return g.mirror ? facet_mirror_draw(g.wi, g.plane).pdf : kernel##_acceptance(s);           \
     }
 LOBE_MODELS(DEFINE_ROW)
 #undef DEFINE_ROW
@@ -130,7 +112,7 @@ static const unsigned char row_of[LOBE_NDF_COUNT][LOBE_MASKING_COUNT][LOBE_METHO
     LOBE_MODELS(FIND_ROW)};
 #undef FIND_ROW
 
-static int find_row(lobe_model m) {
+int LOBE_NAME(find_row)(lobe_model m) {
     bool known = (unsigned)m.ndf < LOBE_NDF_COUNT && (unsigned)m.masking < LOBE_MASKING_COUNT &&
                  (unsigned)m.method < LOBE_METHOD_COUNT;
     return known ? row_of[m.ndf][m.masking][m.method] - 1 : -1;
@@ -149,7 +131,7 @@ model_type LOBE_NAME(reflection_prepare_above)(lobe_reflection_options options, 
                                              options.normalization == LOBE_NORMALIZATION_PREVIOUS);
     choices.plane = in(geometric_normal);
     choices.floor_share = (real)options.floor;
-    int index = find_row(options.model);
+    int index = LOBE_NAME(find_row)(options.model);
     if (index < 0) return no_model();
     return rows[index].prepare(in(wi), alpha_x, alpha_y, choices);
 }
@@ -160,21 +142,7 @@ model_type LOBE_NAME(reflection_prepare)(lobe_reflection_options options, vec_ty
     return LOBE_NAME(reflection_prepare_above)(options, wi, alpha_x, alpha_y, z);
 }
 
-/* The mirror: all of the light goes one way. */
-static draw_type mirror_draw(const model_type *model) {
-    draw_type d;
-    memset(&d, 0, sizeof d);
-    d.m.z = 1;
-    d.wo.x = -model->wi.x;
-    d.wo.y = -model->wi.y;
-    d.wo.z = model->wi.z;
-    d.cos_im = model->wi.z;
-    d.pdf_m = d.pdf = d.weight = LOBE_NAME(reflection_acceptance)(model);
-    return d;
-}
-
 draw_type LOBE_NAME(reflection_sample)(const model_type *model, real u1, real u2, real u3) {
-    if (model->is_mirror) return mirror_draw(model);
     draw_type d;
     memset(&d, 0, sizeof d);
     if (!model->is_valid) return d;
@@ -209,7 +177,5 @@ eval_type LOBE_NAME(reflection_eval_m)(const model_type *model, vec_type m) {
 }
 
 real LOBE_NAME(reflection_acceptance)(const model_type *model) {
-    if (!model->is_valid) return 0;
-    if (model->is_mirror) return model->mirror_leaves ? R(1.0) : R(0.0);
-    return rows[model->row].acceptance(model);
+    return model->is_valid ? rows[model->row].acceptance(model) : R(0.0);
 }

@@ -26,7 +26,7 @@ FREESTANDING = {"float.h", "limits.h", "stdbool.h", "stddef.h", "stdint.h"}
 SYSTEM_HEADERS = {  # of the rooms that are choosy
     "include": FREESTANDING | {"signal.h"},  # sig_atomic_t
     "kernel": FREESTANDING | {"string.h"},  # memcpy, in the bindings
-    "lib": FREESTANDING | {"assert.h", "stdlib.h", "string.h", "immintrin.h", "arm_neon.h"},
+    "lib": FREESTANDING | {"assert.h", "stdatomic.h", "stdlib.h", "string.h", "immintrin.h", "arm_neon.h"},
 }
 SUFFIXES = {".c", ".h", ".inc", ".glsl", ".hlsl", ".comp", ".cu"}
 INCLUDE = re.compile(r'^\s*#\s*include\s+(?:"([^"]+)"|<([^>]+)>|(\S.*))')

@@ -36,6 +36,12 @@ compile() {
         spirv-val --target-env vulkan1.1 "$scratch/spirv"
 }
 
+# Both short-circuit: a branch, which no loop over rows can have.
+if grep -nE '&&|\|\|' "$kernel"/*.h; then
+    echo "kernel: use k_and and k_or"
+    exit 1
+fi
+
 count=0
 failed=0
 for file in "$kernel"/*.h; do

@@ -16,7 +16,7 @@ LOBE_BEGIN_C
 /* One row. Ratios are 0 where there is nothing to compare with. */
 typedef struct lobe_bench_row {
     lobe_model model;
-    const char *isa;       /* instruction set: "scalar" */
+    const char *isa;       /* of lobe/batch.h: "scalar", "avx2", ...; "call": one call a draw */
     const char *precision; /* "f32", "f64" */
     const char *prepared;  /* "shared": once for all draws; "each": for every draw */
     double ns;             /* a draw with its density and weight */
@@ -32,7 +32,7 @@ typedef struct lobe_bench_machine {
 } lobe_bench_machine;
 
 typedef struct lobe_bench_options {
-    const char *only; /* shell pattern that occurs in "NDF MASKING METHOD PRECISION PREPARED" */
+    const char *only; /* shell pattern that occurs in "NDF MASKING METHOD ISA PRECISION PREPARED" */
     int quick;        /* fewer and shorter rounds */
     void *user;
     void (*on_row)(void *user, const lobe_bench_row *row); /* in the order of LOBE_MODELS */

@@ -103,11 +103,10 @@ LOBE_API lobe_method lobe_best_method(lobe_ndf ndf, lobe_masking masking);
 /* A model prepared for one (wi, alpha): what all draws and densities there share. A plain value,
  * copy it as you like; sampler and density read the same copy, so they cannot disagree. */
 typedef struct lobe_reflection_f32 {
-    int32_t row;           /* private */
-    int32_t is_valid;      /* 0: nothing can be sampled, everything is 0 */
-    int32_t is_mirror;     /* 1: roughness below LOBE_ALPHA_MIN, a point mass */
-    int32_t mirror_leaves; /* 1: a mirror would reflect wi above the surface */
-    float alpha_x;         /* as used, after the floor */
+    int32_t row;       /* private */
+    int32_t is_valid;  /* 0: nothing can be sampled, everything is 0 */
+    int32_t is_mirror; /* 1: roughness below LOBE_ALPHA_MIN, a point mass */
+    float alpha_x;     /* as used, after the floor */
     float alpha_y;
     lobe_vec3_f32 wi;
     float prepared[96]; /* private */
@@ -117,7 +116,6 @@ typedef struct lobe_reflection_f64 {
     int32_t row;
     int32_t is_valid;
     int32_t is_mirror;
-    int32_t mirror_leaves;
     double alpha_x;
     double alpha_y;
     lobe_vec3_f64 wi;

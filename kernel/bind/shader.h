@@ -22,6 +22,25 @@ K_FN real k_select(bool condition, real yes, real no) {
     return condition ? yes : no;
 }
 
+/* Not the operators: they stop at the first answer, and what may be skipped is a branch. */
+K_FN bool k_and(bool a, bool b) {
+    return a && b;
+}
+
+K_FN bool k_or(bool a, bool b) {
+    return a || b;
+}
+
+/* A condition that is kept in a structure: as a number as wide as `real`, which a loop over many rows
+ * can hold in a lane. */
+K_FN kint k_flag(bool condition) {
+    return condition ? K_INT(1) : K_INT(0);
+}
+
+K_FN bool k_is(kint flag) {
+    return flag != K_INT(0);
+}
+
 K_FN real k_min(real a, real b) {
     return min(a, b);
 }

@@ -110,6 +110,7 @@ shaders() {
     shaders_reject "kernel/b.h: fails as essl310.comp" <<<'K_FN real b() { real x = 1; return x; }'
     shaders_reject "kernel/b.h: fails as kernel.hlsl" <<<'K_FN real b(real sample) { return dot(sample, line); }'
     shaders_reject "kernel/b.h: fails as kernel.hlsl" <<<'K_FN real b(real x) { return fract(x); }'
+    shaders_reject "use k_and" <<<'K_FN bool b(bool x, bool y) { return x && y; }'
 }
 
 # library SOURCE: makes the archive and the shared library of one file.
@@ -145,6 +146,30 @@ poison() {
     expect_pass "${check[@]}"
     library 'float sinf(float); float lobe_a(float x) { return sinf(x); }'
     expect_fail "calls sinf" "${check[@]}"
+}
+
+# loop BODY: an archive with one loop of the batches, of that body.
+loop() {
+    mkdir -p "$tree"
+    echo "float f(float); void a_sample_each(float *x, int n);
+        void a_sample_each(float *x, int n) { for (int i = 0; i < n; ++i) x[i] = $1; }" \
+        >"$tree/batch_sse41_f32.c"
+    gcc -O3 -fno-math-errno -fno-trapping-math -c "$tree/batch_sse41_f32.c" \
+        -o "$tree/batch_sse41_f32.c.o"
+    rm -f "$tree/a.a"
+    ar rcs "$tree/a.a" "$tree/batch_sse41_f32.c.o"
+}
+
+vectors() {
+    local check=("$tools/check_vectors.sh" "$tree/a.a")
+    [ "$(uname -m)" = x86_64 ] || return 0
+    loop '__builtin_sqrtf(x[i])'
+    expect_pass "${check[@]}"
+    loop 'x[i] > 0 ? x[i] + f(x[i]) : __builtin_sqrtf(x[i])'
+    expect_fail "is scalar" "${check[@]}"
+    expect_fail "calls a function" "${check[@]}"
+    library 'int lobe_a(void) { return 0; }'
+    expect_fail "0 loops" "${check[@]}"
 }
 
 "$1"

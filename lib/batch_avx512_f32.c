@@ -1,0 +1,16 @@
+/* lib/batch_avx512_f32.c: the loops over a block in single precision. */
+#include <stdbool.h>
+#include <stdint.h>
+#include <string.h>
+
+#define TARGET_AVX512
+#include "target.h"
+
+#define K_FN static inline __attribute__((always_inline))
+
+#include "../kernel/bind/c_f32.h"
+
+#define BATCH_TABLE lobe_batch_avx512_f32
+#include "batch_loops.h"
+
+TARGET_END

@@ -1,0 +1,16 @@
+/* lib/batch_neon_f64.c: the loops over a block in double precision. */
+#include <stdbool.h>
+#include <stdint.h>
+#include <string.h>
+
+#define TARGET_NEON
+#include "target.h"
+
+#define K_FN static inline __attribute__((always_inline))
+
+#include "../kernel/bind/c_f64.h"
+
+#define BATCH_TABLE lobe_batch_neon_f64
+#include "batch_loops.h"
+
+TARGET_END

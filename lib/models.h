@@ -1,0 +1,26 @@
+/* lib/models.h: the kernels of LOBE_MODELS, and how to call their families. Before including: the
+ * binding of a precision. */
+#include "lobe/reflection.h"
+
+#include "../kernel/ggx_bounded.h"
+#include "../kernel/ggx_caps.h"
+#include "../kernel/ggx_ellipsoid.h"
+#include "../kernel/ggx_ndf.h"
+#include "../kernel/ggx_optimal.h"
+#include "../kernel/ggx_slope.h"
+#include "../kernel/ggx_slope_published.h"
+
+/* The family of a distribution and a masking: the stem of its kernel functions. */
+#define FAMILY_GGX_SMITH ggx
+
+#define JOIN(a, b) a##b
+#define JOIN_EXPANDED(a, b) JOIN(a, b)
+#define FAMILY(NDF, MASKING, suffix) JOIN_EXPANDED(FAMILY_##NDF##_##MASKING, suffix)
+
+#define ROW_INDEX(NDF, MASKING, METHOD, kernel) INDEX_##kernel,
+enum { LOBE_MODELS(ROW_INDEX) ROW_COUNT };
+#undef ROW_INDEX
+
+/* The row of a model, -1 where the combination does not exist. */
+int lobe_find_row_f32(lobe_model model);
+int lobe_find_row_f64(lobe_model model);
