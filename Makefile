@@ -1,6 +1,6 @@
 # The front door. The build itself is CMake's; see CMakePresets.json.
 
-.PHONY: all demo check bench clean help
+.PHONY: all demo check bench dropin clean help
 
 all:
 	@tools/setup.sh build
@@ -17,6 +17,9 @@ check:
 bench: all
 	@build/lobe bench
 
+dropin:
+	@tools/dropin.sh build/dropin
+
 clean:
 	rm -rf build
 
@@ -25,4 +28,5 @@ help:
 	@echo "make demo    render pictures and compare the methods"
 	@echo "make check   every build, check and test"
 	@echo "make bench   time every sampler against its published listing"
+	@echo "make dropin  single files of the samplers in C, GLSL and HLSL"
 	@echo "make clean   remove build/"

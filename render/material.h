@@ -2,23 +2,14 @@
  *
  * Metal and coat share one GGX: F = metallic * Schlick(base colour) + (1 - metallic) * dielectric 1.5.
  * The base gets what the coat lets through (Kelemen & Szirmay-Kalos 2001):
- * f = base (1 - E(i)) (1 - E(o)) / (pi (1 - E_avg)), E the albedo of the coat: a white dielectric
- * reflects all light. E comes from a table over the roughness toward each direction. Measured against
- * the exact sum over roughness 0.02 to 1 and cosine 0.001 to 1: isotropic within 0.016 of 1 (worst at
- * roughness 0.02, cosine 0.001). An anisotropic coat is approximate there: within 0.03 at
- * anisotropy 0.3, 0.07 at 0.5, 0.18 at 0.9. */
+ * f = base (1 - E(i)) (1 - E(o)) / (pi (1 - E_avg)), E the albedo of the coat as the table of coat.h
+ * has it, E_avg its exact average. A white dielectric then reflects 1 + (true E - E of the table):
+ * all light, and never more, for the table bounds E from above. */
 #ifndef LOBE_RENDER_MATERIAL_H
 #define LOBE_RENDER_MATERIAL_H
 
+#include "coat.h"
 #include "lobe/fresnel.h"
-#include "lobe/reflection.h"
-#include "vector.h"
-
-/* Roughness; cosine from -1 (a shading normal that faces away) to 1, with the average last. */
-enum { COAT_ROWS = 32, COAT_COLUMNS = 98 };
-
-/* Albedo of the coat of index 1.5 over perceptual roughness and cosine. */
-void lobe_coat_table(float table[COAT_ROWS][COAT_COLUMNS]);
 
 typedef struct surface {
     frame frame;             /* shading */
@@ -26,9 +17,9 @@ typedef struct surface {
     lobe_reflection_f32 ggx; /* wi is in the shading frame */
     vec3 base_color;
     float metallic;
-    float base_share_i;                /* (1 - E(i))/(pi (1 - E_avg)) of the base */
-    float specular;                    /* probability of drawing from the GGX */
-    const float (*coat)[COAT_COLUMNS]; /* table */
+    coat coat;
+    float base_share_i; /* (1 - metallic) (1 - E(i))/(pi (1 - E_avg)); 0: no base */
+    float specular;     /* probability of drawing from the GGX */
 } surface;
 
 typedef struct surface_draw {
@@ -41,7 +32,7 @@ typedef struct surface_draw {
 
 typedef struct surface_options {
     lobe_reflection_options ggx;
-    const float (*coat)[COAT_COLUMNS];
+    const coat_table *coat;
 } surface_options;
 
 /* `to_viewer`: unit, world, on the front of `geometric`. */

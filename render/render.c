@@ -241,10 +241,14 @@ lobe_render_result lobe_render(const lobe_scene *scene, lobe_render_options opti
     *film = NULL;
     lobe_render_result result = check_options(&options);
     if (result != LOBE_RENDER_OK) return result;
+    lobe_model model = options.reflection.model;
+    const coat_table *coat =
+        lobe_coat_table(model.ndf, model.masking, options.reflection.g2, scene->has_anisotropy);
+    if (!coat) return lobe_fail_memory(scene->name);
     job j = {.scene = scene, .options = &options, .start = now(CLOCK_MONOTONIC)};
     double cpu = now(CLOCK_PROCESS_CPUTIME_ID);
     j.integrator = (integrator){scene,
-                                {options.reflection, scene->coat_albedo},
+                                {options.reflection, coat},
                                 options.heuristic,
                                 options.depth,
                                 options.roulette_depth};

@@ -202,6 +202,12 @@ static void fill_info(lobe_scene *s) {
         s->info.bytes += 3u * (uint64_t)s->textures[i].width * (uint64_t)s->textures[i].height;
 }
 
+static int has_anisotropy(const lobe_scene *s) {
+    for (uint32_t i = 0; i < s->material_count; i++)
+        if (s->materials[i].anisotropy != 0.0f) return 1;
+    return 0;
+}
+
 /* From triangles and materials to something that can be rendered. */
 static lobe_render_result finish(lobe_scene *s, const lobe_scene_options *options, int is_file) {
     if (s->out_of_memory) return lobe_fail_memory(s->name);
@@ -218,7 +224,7 @@ static lobe_render_result finish(lobe_scene *s, const lobe_scene_options *option
     s->tracer = lobe_tracer_create(s->vertices, s->vertex_count, sizeof *s->vertices, s->triangles,
                                    s->triangle_count, sizeof *s->triangles);
     if (!s->tracer || s->out_of_memory) return lobe_fail_memory(s->name);
-    lobe_coat_table(s->coat_albedo);
+    s->has_anisotropy = has_anisotropy(s);
     if (s->warnings.failed) return LOBE_RENDER_BAD_INPUT;
     fill_info(s);
     return LOBE_RENDER_OK;

@@ -56,8 +56,8 @@ struct lobe_scene {
     environment sky;
     int has_sky;
     tracer *tracer;
-    vec3 low, high;                             /* bounds */
-    float coat_albedo[COAT_ROWS][COAT_COLUMNS]; /* see material.h */
+    vec3 low, high; /* bounds */
+    int has_anisotropy;
     lobe_scene_info info;
     warnings warnings;
 };

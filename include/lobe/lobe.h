@@ -3,6 +3,7 @@
 #ifndef LOBE_LOBE_H
 #define LOBE_LOBE_H
 
+#include "albedo.h"
 #include "batch.h"
 #include "fresnel.h"
 #include "reflection.h"

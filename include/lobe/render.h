@@ -4,7 +4,7 @@
  *     lobe_film *film = NULL;
  *     lobe_render_options options = lobe_render_default_options();
  *     options.samples = 64;
- *     options.reflection.method = LOBE_METHOD_BOUNDED;
+ *     options.reflection.model.method = LOBE_METHOD_BOUNDED;
  *     if (lobe_scene_load("gallery", lobe_scene_default_options(), &scene) != LOBE_RENDER_OK ||
  *         lobe_render(scene, options, &film, NULL) != LOBE_RENDER_OK ||
  *         lobe_film_write(film, "gallery.png", lobe_film_default_write_options()) != LOBE_RENDER_OK)
@@ -17,9 +17,9 @@
  * row, texels centred.
  * Materials are those of glTF 2.0: a metal is GGX with Schlick's Fresnel (f0 = base colour), a
  * dielectric is a GGX coat of index 1.5 over a diffuse base, `metallic` blends the two. The base
- * receives what the coat lets through: a white dielectric reflects all light, at any roughness (up to
- * 1.016 at a cosine of 0.001; anisotropic ones up to 1.03 at an anisotropy of 0.3 and 1.15 at 0.9, at
- * grazing angles). Every surface is opaque and two-sided.
+ * receives what the coat lets through: a white dielectric reflects all light and never more, at any
+ * roughness, angle and anisotropy (0.99 to 1.001; from 0.985 at an anisotropy of 0.6, from 0.95 at
+ * 0.95). Every surface is opaque and two-sided.
  * Not promised: the bits of a picture from version to version or between processors of different
  * instruction sets (Embree picks its code by the processor). On one machine the same scene, options
  * and seed give the same bits on any number of threads.

@@ -1,0 +1,42 @@
+#!/bin/bash
+# test_dropin.sh: the single files compile by themselves, in every language, and draw what the library
+# draws, bit for bit.
+set -eu
+
+tree=$(cd "$(dirname "$0")/../.." && pwd)
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+"$tree/tools/dropin.sh" "$scratch" >/dev/null
+
+# shader LANGUAGE-OPTIONS FILE
+shader() {
+    local file=$1
+    shift
+    glslangValidator --quiet --target-env vulkan1.1 --keep-uncalled -Od -S comp -e main "$@" \
+        -o "$scratch/spirv" "$file"
+    spirv-val --target-env vulkan1.1 "$scratch/spirv"
+}
+
+count=0
+for file in "$scratch"/*.h; do
+    name=$(basename "$file" .h)
+    for compiler in "gcc -std=c99 -xc" "clang -std=c17 -xc" "g++ -std=c++17 -xc++"; do
+        # shellcheck disable=SC2086  # the words of $compiler
+        echo "#include \"$name.h\"" | $compiler -Wall -Wextra -Werror -Wno-unused-function \
+            -Wno-unused-parameter -I"$scratch" -fsyntax-only -
+    done
+    { echo '#version 450'; cat "$scratch/$name.glsl"; echo 'void main() {}'; } >"$scratch/a.comp"
+    shader "$scratch/a.comp"
+    { echo '#version 310 es'; printf 'precision highp float;\nprecision highp int;\n'
+        cat "$scratch/$name.glsl"; echo 'void main() {}'; } >"$scratch/b.comp"
+    shader "$scratch/b.comp"
+    { cat "$scratch/$name.hlsl"; echo '[numthreads(1, 1, 1)] void main() {}'; } >"$scratch/c.hlsl"
+    shader "$scratch/c.hlsl" -D
+    count=$((count + 1))
+done
+
+gcc -O2 -ffp-contract=off -I"$scratch" -I"$tree/include" "$tree/tests/house/dropin.c" \
+    "$LOBE_BUILD_DIR/liblobe.a" -lm -o "$scratch/dropin"
+"$scratch/dropin"
+echo "dropin: $count kernels in three languages"
+[ $count -gt 0 ]

@@ -1,0 +1,153 @@
+#!/usr/bin/env python3
+"""dropin.py LANGUAGE KERNEL... [--title TEXT]: one file with everything that the kernels need.
+
+LANGUAGE is c, glsl or hlsl. What comes out is single precision in plain text of the language: no
+macros of the kernel language are left but its constants, and every name begins with `lobe_` (macros:
+LOBE_), so it can be pasted into somebody else's program. Written to standard output.
+"""
+import argparse
+import re
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+KERNEL = ROOT / "kernel"
+BINDING = {"c": ["c_f32.h", "c.h"], "glsl": ["glsl.h", "shader.h"], "hlsl": ["hlsl.h", "shader.h"]}
+INCLUDE = re.compile(r'^#include "([^"]+)"\n', re.M)
+
+
+def in_order(names):
+    """The kernel files that these need, each after what it includes."""
+    order = []
+
+    def visit(name):
+        if name in order:
+            return
+        for inner in INCLUDE.findall((KERNEL / name).read_text()):
+            visit(inner)
+        order.append(name)
+
+    for name in names:
+        visit(name)
+    return order
+
+
+def without_guard(text):
+    """A file without its include guard and its includes."""
+    text = re.sub(r"^#ifndef (\w+_H)\n#define \1\n", "", text, flags=re.M)
+    text = re.sub(r"\n#endif\n\Z", "\n", text)
+    return re.sub(r'^#include [<"].*\n', "", text, flags=re.M)
+
+
+def settle(text):
+    """Decides the conditions that the precision decides."""
+    out, stack = [], []
+    for line in text.splitlines():
+        word = line.strip()
+        if word.startswith("#if K_IS_F64"):
+            stack.append(["decided", False])
+        elif word.startswith("#if"):
+            stack.append(["kept", True])
+            out.append(line)
+        elif word.startswith("#else") and stack[-1][0] == "decided":
+            stack[-1][1] = not stack[-1][1]
+        elif word.startswith("#endif") and stack:
+            kind, _ = stack.pop()
+            if kind == "kept":
+                out.append(line)
+        elif all(shown for _, shown in stack):
+            out.append(line)
+    return "\n".join(out) + "\n"
+
+
+def binding(language):
+    """What the language calls the words of the kernel language."""
+    text = "".join(without_guard((KERNEL / "bind" / name).read_text()) for name in BINDING[language])
+    text = re.sub(r"^/\*.*?\*/\n", "", text, count=2, flags=re.S)
+    text = re.sub(r"^#pragma.*\n", "", text, flags=re.M)
+    text = re.sub(r"^#ifndef K_FN\n(#define K_FN.*)\n#endif\n", r"\1\n", text, flags=re.M)
+    # words that are written out below
+    text = re.sub(r"^#define (real|kint|R\(x\)|K_INT\(x\)|K_IS_F64|K_FN|K_STRUCT\(name\))"
+                  r"(.*\\\n)*.*\n", "", text, flags=re.M)
+    text = re.sub(r"^typedef (float real|int32_t kint);\n", "", text, flags=re.M)
+    return re.sub(r"^/\*[^/]*\*/\n(?=\n)", "", text, flags=re.M)
+
+
+def plain(text, language):
+    """The kernel language in the words of another."""
+    suffix = "f" if language == "c" else ""
+    text = re.sub(r"\bR\(([^()]*)\)", lambda m: m[1] + suffix, text)
+    text = re.sub(r"\bK_INT\(([^()]*)\)", r"\1", text)
+    text = re.sub(r"\breal\b", "float", text)
+    text = re.sub(r"\bkint\b", "int32_t" if language == "c" else "int", text)
+    text = re.sub(r"\bK_FN ", "static inline " if language == "c" else "", text)
+    form = r"typedef struct \1 \1;\nstruct \1" if language == "c" else r"struct \1"
+    return re.sub(r"\bK_STRUCT\((\w+)\)", form, text)
+
+
+def defined(text):
+    """Names that the text defines: functions, structures, macros."""
+    functions = re.findall(r"^(?:static inline )?\w+ (\w+)\(", text, re.M)
+    structures = re.findall(r"^struct (\w+)", text, re.M)
+    macros = re.findall(r"^#define (\w+)", text, re.M)
+    return set(functions) | set(structures), set(macros)
+
+
+def prefixed(text):
+    names, macros = defined(text)
+
+    def rename(match):
+        word = match[0]
+        if word in macros:
+            return "LOBE_" + word
+        return "lobe_" + word if word in names else word
+
+    # comments keep the kernel's names: they speak of the mathematics
+    parts = re.split(r"(/\*.*?\*/)", text, flags=re.S)
+    code = [p if p.startswith("/*") else re.sub(r"\b[A-Za-z_]\w*\b", rename, p) for p in parts]
+    return "".join(code)
+
+
+USE = """ *
+ *     {v3} wi = lobe_v3_of(x, y, z);                                  // unit
+ *     {options} o = lobe_facet_options_of(false, false);
+ *     {base} g = lobe_{family}_base_of(wi, alpha_x, alpha_y, o);      // once a shading point
+ *     {state} s = lobe_{kernel}_prepare(g);
+ *     {draw} d = lobe_{kernel}_draw(s, u1, u2, u3);                   // d.pdf = 0: rejected, black
+ *     float p = lobe_{kernel}_pdf(s, lobe_{family}_pair_of_wo(g, wo)); // at a wo that leaves
+"""
+
+
+def use(kernel):
+    """Five lines that show how to call the first kernel."""
+    family = kernel.split("_")[0]
+    return USE.format(v3="lobe_v3", options="lobe_facet_options", base=f"lobe_{family}_base",
+                      state=f"lobe_{kernel}", draw="lobe_facet_draw", family=family, kernel=kernel)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("language", choices=sorted(BINDING))
+    parser.add_argument("kernels", nargs="+", metavar="KERNEL", help="as ggx_bounded")
+    parser.add_argument("--title", default="", help="first line of the file's comment")
+    arguments = parser.parse_args()
+    files = in_order([name + ".h" for name in arguments.kernels])
+    version = re.search(r'"([^"]+)"', (ROOT / "include/lobe/version.h").read_text())[1]
+    text = binding(arguments.language)
+    text += "".join("\n" + without_guard((KERNEL / name).read_text()) for name in files)
+    text = prefixed(plain(settle(text), arguments.language))
+    text = re.sub(r"\n{3,}", "\n\n", text).strip() + "\n"
+    title = arguments.title or " ".join(arguments.kernels)
+    head = (f"/* {title}.\n *\n * Generated by lobe {version} (tools/dropin.py) from its kernels; MIT "
+            "licence. Single precision.\n * Local frame, z = shading normal; wi toward the viewer, wo "
+            "the reflected direction, both away\n * from the surface; alpha = perceptual roughness "
+            "squared; u in [0, 1).\n" + use(arguments.kernels[0]) + " */\n")
+    if arguments.language == "c":
+        head += ("#ifndef LOBE_DROPIN_H\n#define LOBE_DROPIN_H\n\n#include <stdbool.h>\n"
+                 "#include <stdint.h>\n#include <string.h>\n\n")
+        text += "\n#endif\n"
+    sys.stdout.write(head + text)
+
+
+if __name__ == "__main__":
+    main()
