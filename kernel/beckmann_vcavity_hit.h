@@ -47,4 +47,7 @@ K_FN beckmann_vcavity_hit beckmann_vcavity_hit_of(real a) {
     return h;
 }
 
+/* Worst errors, 4 10^5 values of a from 6e-6 to 16: H exp(a^2) 4.8e-07 relative at a = 0.2546 in float, 7.7e-16
+ * at 0.2528 in double; the share 4.0e-06 at 2.84 and 7.4e-15 at 2.94. */
+
 #endif

@@ -41,4 +41,12 @@ K_FN facet_draw beckmann_vcavity_ndf_draw(beckmann_vcavity_ndf s, real u1, real 
     return vcavity_draw_of(s.g.cavity, s.g.valid, pair, pdf_m, vcavity_ndf_pdf(pair, pdf_m));
 }
 
+/* Worst errors of a draw in float, 5 10^6 random inputs (tools/numerics/vcavity_error.c: roughness 0.01 to
+ * 2, u2 up to 0.98, either side, H above 1e-8). The rounding
+ * of a small i.m is what shows.
+ * wo:  6.7e-07 at wi (-0x1.24128ap-3, -0x1.9d47fep-1, 0x1.2546bcp-1),
+ *      alpha (0x1.35dadcp-6, 0x1.fea77p+0) u (0x1.8c624ap-1, 0x1.42b4fp-1)
+ * pdf: 0.0049 relative at wi (-0x1.e34ff2p-2, -0x1.92cd16p-1, -0x1.976b4p-2),
+ *      alpha (0x1.14b27ap-1, 0x1.9b5004p+0) u (0x1.9cb1fp-3, 0x1.b6118cp-1) */
+
 #endif

@@ -37,4 +37,13 @@ K_FN facet_draw beckmann_vcavity_valid_draw(beckmann_vcavity_valid s, real u1, r
                            pdf);
 }
 
+/* Worst errors of a draw in float, 5 10^6 random inputs (tools/numerics/vcavity_error.c: roughness 0.01 to
+ * 2, u2 up to 0.98, either side, H above 1e-8).
+ * wo:  7.2e-07 at wi (0x1.aa7ecap-4, 0x1.4d645ep-1, 0x1.80e798p-1),
+ *      alpha (0x1.af73b2p+0, 0x1.97665ep-2) u (0x1.e9554p-5, 0x1.5f48f8p-5, 0x1.5ce7c6p-1)
+ * pdf: 6.7e-06 relative at wi (-0x1.c24bb6p-5, -0x1.b88238p-2, -0x1.cd5888p-1),
+ *      alpha (0x1.3537b8p-1, 0x1.3537b8p-1) u (0x1.b7c8cp-6, 0x1.3f5c52p-2, 0x1.762f1ap-1)
+ * Where the reflection of the other side is within rounding of the horizon the density jumps, by
+ * at most the factor <i,m> / (<i,m> + <i,m'>). */
+
 #endif
