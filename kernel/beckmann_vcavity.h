@@ -33,8 +33,8 @@ K_FN facet_draw beckmann_vcavity_draw(beckmann_vcavity s, real u1, real u2, real
     facet_pair side = beckmann_vcavity_groove_draw(s.groove, u1, u2, u3);
     facet_pair pair = vcavity_any_side(s.groove.g.cavity, side, u3);
     real pdf = beckmann_vcavity_pdf(s, pair);
-    return vcavity_draw_of(s.groove.g.cavity, s.groove.g.valid, pair, vcavity_pdf_m_of(pair, pdf),
-                           pdf);
+    return vcavity_draw_of(s.groove.g.cavity, k_is(s.groove.g.valid), pair,
+                           vcavity_pdf_m_of(pair, pdf), pdf);
 }
 
 /* Worst errors of a draw in float, 5 10^6 random inputs (tools/numerics/vcavity_error.c: roughness 0.01 to

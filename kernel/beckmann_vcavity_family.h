@@ -19,9 +19,9 @@ K_STRUCT(beckmann_vcavity_base) {
     vcavity_base cavity;
     real a;            /* from above 0 */
     real masked_share; /* the share of facets that are partly masked; from above 1 */
-    bool tilted;
-    bool valid;
-    bool mirror;
+    kint tilted;
+    kint valid;
+    kint mirror;
 };
 
 K_FN beckmann_vcavity_base beckmann_vcavity_base_of(v3 wi, real alpha_x, real alpha_y,
@@ -37,8 +37,8 @@ K_FN beckmann_vcavity_base beckmann_vcavity_base_of(v3 wi, real alpha_x, real al
     g.a = k_max(-g.beckmann.c, R(0.0));
     beckmann_vcavity_hit hit = beckmann_vcavity_hit_of(g.a);
     /* straight from below nothing is visible */
-    g.valid = g.beckmann.valid && hit.scaled > R(1e6) * K_TINY;
-    real scaled = k_select(g.valid, hit.scaled, R(1.0));
+    g.valid = k_flag(k_and(k_is(g.beckmann.valid), hit.scaled > R(1e6) * K_TINY));
+    real scaled = k_select(k_is(g.valid), hit.scaled, R(1.0));
     real decay = k_exp_minus_square(g.a);
     g.masked_share = hit.masked_share;
     g.cavity = vcavity_base_of(g.wi, decay * scaled, options);
@@ -63,7 +63,7 @@ K_FN facet_pair beckmann_vcavity_pair_of_m(beckmann_vcavity_base g, v3 m) {
 }
 
 K_FN facet_eval beckmann_vcavity_eval(beckmann_vcavity_base g, facet_pair pair) {
-    return vcavity_eval(g.cavity, g.valid, pair);
+    return vcavity_eval(g.cavity, k_is(g.valid), pair);
 }
 
 /* Worst error of H in float, 5 10^6 random inputs with H above 1e-8 (tools/numerics/vcavity_error.c): 4.8e-06

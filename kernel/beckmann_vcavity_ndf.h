@@ -28,7 +28,7 @@ K_FN real beckmann_vcavity_ndf_pdf(beckmann_vcavity_ndf s, facet_pair pair) {
 
 /* From below all that faces i leaves, half of erfc(a); else no closed form is known. */
 K_FN real beckmann_vcavity_ndf_acceptance(beckmann_vcavity_ndf s) {
-    bool all = s.g.wi.z <= R(0.0) && !s.g.tilted;
+    bool all = k_and(s.g.wi.z <= R(0.0), !k_is(s.g.tilted));
     return k_select(all, R(0.5) * k_erfc(s.g.a), R(-1.0));
 }
 
@@ -38,7 +38,7 @@ K_FN facet_draw beckmann_vcavity_ndf_draw(beckmann_vcavity_ndf s, real u1, real 
     v3 m = beckmann_normal_of_slopes(s.g.beckmann, -radius * phi.c, -radius * phi.s);
     facet_pair pair = beckmann_vcavity_pair_of_m(s.g, m);
     real pdf_m = beckmann_vcavity_ndf_pdf_m(s, pair);
-    return vcavity_draw_of(s.g.cavity, s.g.valid, pair, pdf_m, vcavity_ndf_pdf(pair, pdf_m));
+    return vcavity_draw_of(s.g.cavity, k_is(s.g.valid), pair, pdf_m, vcavity_ndf_pdf(pair, pdf_m));
 }
 
 /* Worst errors of a draw in float, 5 10^6 random inputs (tools/numerics/vcavity_error.c: roughness 0.01 to

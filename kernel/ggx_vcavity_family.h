@@ -13,9 +13,9 @@ K_STRUCT(ggx_vcavity_base) {
     v3 plane;
     ggx_base ggx;
     vcavity_base cavity;
-    bool tilted;
-    bool valid;
-    bool mirror;
+    kint tilted;
+    kint valid;
+    kint mirror;
 };
 
 /* H(i). In the stretched space, a = |i_std.z|, R^2 = 1 + 8 a^2, the two rationalised differences of
@@ -38,10 +38,10 @@ K_FN ggx_vcavity_base ggx_vcavity_base_of(v3 wi, real alpha_x, real alpha_y,
     g.plane = g.ggx.plane;
     real hit = ggx_vcavity_hit(g.ggx);
     /* straight from below nothing is visible */
-    g.valid = g.ggx.valid && hit > R(1e6) * K_TINY;
+    g.valid = k_flag(k_and(k_is(g.ggx.valid), hit > R(1e6) * K_TINY));
     g.mirror = g.ggx.mirror;
     g.tilted = g.ggx.tilted;
-    g.cavity = vcavity_base_of(g.wi, k_select(g.valid, hit, R(1.0)), options);
+    g.cavity = vcavity_base_of(g.wi, k_select(k_is(g.valid), hit, R(1.0)), options);
     return g;
 }
 
@@ -54,7 +54,7 @@ K_FN facet_pair ggx_vcavity_pair_of_m(ggx_vcavity_base g, v3 m) {
 }
 
 K_FN facet_eval ggx_vcavity_eval(ggx_vcavity_base g, facet_pair pair) {
-    return vcavity_eval(g.cavity, g.valid, pair);
+    return vcavity_eval(g.cavity, k_is(g.valid), pair);
 }
 
 /* Worst error of H in float, 5 10^6 random inputs (tools/numerics/vcavity_error.c): 4.9e-07 relative at

@@ -32,14 +32,14 @@ K_FN real ggx_vcavity_ndf_acceptance(ggx_vcavity_ndf s) {
     real c = k_max(i.z, R(0.0));
     real l = ggx_useful_eigenvalue(i, c * s.g.ax * s.g.ax, c * s.g.ay * s.g.ay, R(2.0) * i.z - c);
     real n_z_over_nu = R(1.0) / k_select(i.z > R(0.0), l, l - i.z);
-    return k_select(s.g.tilted, R(-1.0), ggx_useful_area(s.g.ggx) * n_z_over_nu);
+    return k_select(k_is(s.g.tilted), R(-1.0), ggx_useful_area(s.g.ggx) * n_z_over_nu);
 }
 
 K_FN facet_draw ggx_vcavity_ndf_draw(ggx_vcavity_ndf s, real u1, real u2, real u3) {
     v3 h = crescent_point(R(1.0), R(0.0), u1, u2);
     facet_pair pair = ggx_pair_of_stretched(s.g.ggx, h);
     real pdf_m = ggx_vcavity_ndf_pdf_m(s, pair);
-    return vcavity_draw_of(s.g.cavity, s.g.valid, pair, pdf_m, vcavity_ndf_pdf(pair, pdf_m));
+    return vcavity_draw_of(s.g.cavity, k_is(s.g.valid), pair, pdf_m, vcavity_ndf_pdf(pair, pdf_m));
 }
 
 /* Worst errors of a draw in float, 5 10^6 random inputs (tools/numerics/vcavity_error.c: roughness 0.01 to

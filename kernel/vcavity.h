@@ -24,7 +24,7 @@ K_STRUCT(vcavity_base) {
     real value_scale;  /* d_scale/(4 H(i)) */
     real inv_z;        /* 1/|i_z|, finite where i_z = 0 */
     real density_bias; /* density / what is sampled; 1 but for the previous normalisation */
-    bool separable;
+    kint separable;
 };
 
 /* The previous normalisation left H out: it then integrates to H. */
@@ -36,7 +36,7 @@ K_FN vcavity_base vcavity_base_of(v3 wi, real hit, facet_options options) {
     c.d_scale = R(1.0);
     c.value_scale = R(0.25) / hit;
     c.inv_z = R(1.0) / k_max(k_abs(wi.z), K_TINY);
-    c.density_bias = k_select(options.previous && wi.z < R(0.0), hit, R(1.0));
+    c.density_bias = k_select(k_and(k_is(options.previous), wi.z < R(0.0)), hit, R(1.0));
     c.separable = options.separable;
     return c;
 }
@@ -55,7 +55,7 @@ K_FN real vcavity_shadowing(vcavity_base c, facet_pair pair) {
     real g1_i = vcavity_g1(pair, c.wi.z);
     real g1_o = vcavity_g1(pair, pair.wo.z);
     real correlated = g1_o / k_max(k_max(g1_i, g1_o), K_TINY);
-    return k_select(c.separable, g1_o, correlated);
+    return k_select(k_is(c.separable), g1_o, correlated);
 }
 
 /* The density of the visible normals over directions, whatever was sampled. */
@@ -71,11 +71,12 @@ K_FN real vcavity_f_cos(vcavity_base c, facet_pair pair) {
 
 /* g1_i is normalised, G1(i, m)/H(i), as for Smith: f cos = D g2/(4 |i_z|). */
 K_FN facet_eval vcavity_eval(vcavity_base c, bool valid, facet_pair pair) {
-    bool faces = valid && pair.m.z > R(0.0) && pair.cos_im > R(0.0);
+    bool faces = k_and(valid, k_and(pair.m.z > R(0.0), pair.cos_im > R(0.0)));
     facet_eval e;
     e.d = k_usable(k_select(pair.m.z > R(0.0), pair.d * c.d_scale, R(0.0)));
     e.g1_i = k_usable(k_select(faces, vcavity_g1(pair, c.wi.z) / c.hit, R(0.0)));
-    e.g1_o = k_usable(k_select(faces && pair.wo.z > R(0.0), vcavity_g1(pair, pair.wo.z), R(0.0)));
+    e.g1_o =
+        k_usable(k_select(k_and(faces, pair.wo.z > R(0.0)), vcavity_g1(pair, pair.wo.z), R(0.0)));
     e.g2 = k_select(pair.leaves, k_usable(e.g1_i * vcavity_shadowing(c, pair)), R(0.0));
     e.f_cos = k_select(valid, vcavity_f_cos(c, pair), R(0.0));
     return e;
@@ -95,14 +96,14 @@ K_FN real vcavity_ndf_pdf(facet_pair pair, real pdf_m) {
 /* Share of the visible normals that leave: all of them from below, o_z = 2 (i.m) m_z + |i_z|, where no
  * second plane cuts them off; else no closed form is known. */
 K_FN real vcavity_acceptance(vcavity_base c) {
-    bool all = c.wi.z <= R(0.0) && !facet_is_tilted(c.plane);
+    bool all = k_and(c.wi.z <= R(0.0), !facet_is_tilted(c.plane));
     return k_select(all, R(1.0), R(-1.0));
 }
 
 /* A draw from its pair and the two densities of the method there. */
 K_FN facet_draw vcavity_draw_of(vcavity_base c, bool valid, facet_pair pair, real pdf_m, real pdf) {
     facet_draw draw;
-    bool drawn = valid && pair.leaves && k_usable(pdf) > R(0.0);
+    bool drawn = k_and(valid, k_and(pair.leaves, k_usable(pdf) > R(0.0)));
     draw.m = pair.m;
     draw.wo = pair.wo;
     draw.cos_im = pair.cos_im;
@@ -119,7 +120,8 @@ K_FN facet_pair vcavity_mirrored(vcavity_base c, facet_pair pair) {
     other.cos_im = v3_dot(c.wi, other.m);
     other.wo = v3_sub(v3_scale(other.m, R(2.0) * other.cos_im), c.wi);
     other.d = pair.d;
-    other.leaves = facet_leaves(other.wo, c.plane) && other.m.z > R(0.0) && other.cos_im > R(0.0);
+    other.leaves =
+        k_and(facet_leaves(other.wo, c.plane), k_and(other.m.z > R(0.0), other.cos_im > R(0.0)));
     return other;
 }
 
@@ -132,7 +134,7 @@ K_FN facet_pair vcavity_side(facet_pair side, facet_pair other, real weight, rea
     pair.wo = v3_select(keeps, side.wo, other.wo);
     pair.cos_im = k_select(keeps, side.cos_im, other.cos_im);
     pair.d = side.d;
-    pair.leaves = (keeps && side.leaves) || (!keeps && other.leaves);
+    pair.leaves = k_or(k_and(keeps, side.leaves), k_and(!keeps, other.leaves));
     return pair;
 }
 

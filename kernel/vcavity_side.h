@@ -26,8 +26,8 @@ K_STRUCT(vcavity_weights) {
 /* The same where both sides reflect out of the surface or neither does; else the one that does. */
 K_FN vcavity_weights vcavity_leaving_weights(facet_pair side, facet_pair other) {
     vcavity_weights w;
-    w.side = k_select(other.leaves && !side.leaves, R(0.0), k_max(side.cos_im, R(0.0)));
-    w.other = k_select(side.leaves && !other.leaves, R(0.0), k_max(other.cos_im, R(0.0)));
+    w.side = k_select(k_and(other.leaves, !side.leaves), R(0.0), k_max(side.cos_im, R(0.0)));
+    w.other = k_select(k_and(side.leaves, !other.leaves), R(0.0), k_max(other.cos_im, R(0.0)));
     return w;
 }
 
@@ -42,8 +42,9 @@ K_FN real vcavity_leaving_side_pdf(vcavity_base c, facet_pair pair) {
     bool above = c.wi.z >= R(0.0);
     /* i sees it, and no more than it sees of the groove */
     real alone = R(0.5) * pair.d * pair.m.z / k_max(pair.cos_im, K_TINY);
-    real pdf = k_select(above && pair.leaves && !other.leaves, alone, vcavity_visible(c, pair));
-    return c.density_bias * k_select(above && other.leaves && !pair.leaves, R(0.0), pdf);
+    real pdf =
+        k_select(k_and(above, k_and(pair.leaves, !other.leaves)), alone, vcavity_visible(c, pair));
+    return c.density_bias * k_select(k_and(above, k_and(other.leaves, !pair.leaves)), R(0.0), pdf);
 }
 
 #endif
