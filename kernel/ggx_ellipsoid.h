@@ -5,8 +5,8 @@
 #ifndef K_GGX_ELLIPSOID_H
 #define K_GGX_ELLIPSOID_H
 
+#include "crescent.h"
 #include "ggx_visible.h"
-#include "trig.h"
 
 K_STRUCT(ggx_ellipsoid) {
     ggx_base g;
@@ -35,24 +35,10 @@ K_FN real ggx_ellipsoid_acceptance(ggx_ellipsoid s) {
 }
 
 K_FN facet_draw ggx_ellipsoid_draw(ggx_ellipsoid s, real u1, real u2, real u3) {
-    real radius = k_sqrt(u1);
-    k_sincos phi = k_sincos_2pi(u2);
-    real x = radius * phi.c;
-    real t = radius * phi.s;
-    real half_width = k_sqrt(R(1.0) - x * x);
-    /* the two gaps half_width -+ t: the smaller one by their product 1 - u1, so that the height
-     * above the disk is a product of positive numbers, exact at the rim */
-    real wide = half_width + k_abs(t);
-    real narrow = (R(1.0) - u1) / wide;
-    real above = k_select(t < R(0.0), wide, narrow);
-    real below = k_select(t < R(0.0), narrow, wide);
-    real squeeze = R(0.5) * s.g.one_plus_z;
-    real rest = R(0.5) * s.g.one_minus_z;
-    real y = rest * half_width + squeeze * t;
-    real i_h = k_sqrt(squeeze * above * (R(2.0) * rest * half_width + squeeze * below));
+    v3 p = crescent_point(R(0.5) * s.g.one_plus_z, R(0.5) * s.g.one_minus_z, u1, u2);
     v3 across_x = v3_of(-s.azimuth.y, s.azimuth.x, R(0.0));
     v3 across_y = v3_of(-s.g.i_std.z * s.azimuth.x, -s.g.i_std.z * s.azimuth.y, s.azimuth.rho);
-    v3 h = v3_combine(across_x, x, across_y, y, s.g.i_std, i_h);
+    v3 h = v3_combine(across_x, p.x, across_y, p.y, s.g.i_std, p.z);
     h.z = k_max(h.z, R(0.0));
     return ggx_visible_draw(s.g, s.visible, ggx_pair_of_stretched(s.g, h));
 }

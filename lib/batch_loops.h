@@ -44,7 +44,7 @@ K_FN v3 load(real (*arrays)[BLOCK], int i) {
         store_eval(b, i, pair, has_density, known.f_cos, kernel##_pdf(s, pair));                   \
     }                                                                                              \
     static void kernel##_sample_each(block *b, int n, facet_options options) {                     \
-        for (int i = 0; i < n; ++i) {                                                              \
+        for (int i = 0, whole = whole_vectors(n); i < whole; ++i) {                                \
             FAMILY(NDF, MASKING, _base)                                                            \
             g = FAMILY(NDF, MASKING, _base_of)(load(b->wi, i), b->alpha[0][i], b->alpha[1][i],     \
                                                options);                                           \
@@ -56,10 +56,11 @@ K_FN v3 load(real (*arrays)[BLOCK], int i) {
         kernel s;                                                                                  \
         memcpy(&g, state, sizeof g);                                                               \
         memcpy(&s, state, sizeof s);                                                               \
-        for (int i = 0; i < n; ++i) store_draw(b, i, kernel##_draw_row(g, s, b, i));               \
+        for (int i = 0, whole = whole_vectors(n); i < whole; ++i)                                  \
+            store_draw(b, i, kernel##_draw_row(g, s, b, i));                                       \
     }                                                                                              \
     static void kernel##_eval_each(block *b, int n, facet_options options) {                       \
-        for (int i = 0; i < n; ++i) {                                                              \
+        for (int i = 0, whole = whole_vectors(n); i < whole; ++i) {                                \
             FAMILY(NDF, MASKING, _base)                                                            \
             g = FAMILY(NDF, MASKING, _base_of)(load(b->wi, i), b->alpha[0][i], b->alpha[1][i],     \
                                                options);                                           \
@@ -72,7 +73,8 @@ K_FN v3 load(real (*arrays)[BLOCK], int i) {
         kernel s;                                                                                  \
         memcpy(&g, state, sizeof g);                                                               \
         memcpy(&s, state, sizeof s);                                                               \
-        for (int i = 0; i < n; ++i) kernel##_eval_row(g, s, b, i, true);                           \
+        for (int i = 0, whole = whole_vectors(n); i < whole; ++i)                                  \
+            kernel##_eval_row(g, s, b, i, true);                                                   \
     }
 LOBE_MODELS(DEFINE_ROW)
 #undef DEFINE_ROW

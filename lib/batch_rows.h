@@ -6,6 +6,12 @@
 /* Rows are worked on in blocks that stay in the first-level cache. A multiple of every width. */
 enum { BLOCK = 128 };
 
+/* n rounded up to whole vectors of every set: the rows between are copies of the last one. A loop that
+ * is known to end with a whole vector needs no second text for its end. */
+static inline int whole_vectors(int n) {
+    return (n + 15) & ~15;
+}
+
 /* One array a number: the loops read and write nothing else. */
 typedef struct block {
     real wi[3][BLOCK], alpha[2][BLOCK], u[3][BLOCK];

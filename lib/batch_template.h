@@ -29,13 +29,15 @@ static const batch_row *loops_of(int row) {
     return &tables[lobe_isa_in_use()][row];
 }
 
+/* And copies of the last row up to whole vectors. */
 static void gather(input in, size_t first, int n, real *to) {
     const real *from = in.data + (ptrdiff_t)first * in.stride;
     if (in.stride == 1) {
         memcpy(to, from, (size_t)n * sizeof(real));
-        return;
+    } else {
+        for (int i = 0; i < n; ++i) to[i] = from[i * in.stride];
     }
-    for (int i = 0; i < n; ++i) to[i] = from[i * in.stride];
+    for (int i = n; i < whole_vectors(n); ++i) to[i] = to[n - 1];
 }
 
 static void scatter(output out, size_t first, int n, const real *from) {
@@ -54,11 +56,11 @@ static void gather_numbers(const sample_batch *batch, size_t first, int n, block
             if (batch->u[k].data != NULL)
                 gather(batch->u[k], first, n, b->u[k]);
             else
-                memset(b->u[k], 0, (size_t)n * sizeof(real));
+                memset(b->u[k], 0, (size_t)whole_vectors(n) * sizeof(real));
         }
         return;
     }
-    for (int i = 0; i < n; ++i) {
+    for (int i = 0; i < whole_vectors(n); ++i) {
         real u[3];
         BATCH_NAME(lobe_draw_numbers)(batch->seed, batch->offset + first + (uint64_t)i, u);
         for (int k = 0; k < 3; ++k) b->u[k][i] = u[k];
