@@ -16,6 +16,7 @@ static const struct {
 } commands[] = {
     {"sample", lobe_app_sample, "draw directions, with densities and weights"},
     {"eval", lobe_app_eval, "evaluate densities and values at given directions"},
+    {"albedo", lobe_app_albedo, "integrate what a microsurface reflects"},
     {"verify", lobe_app_verify, "prove models and methods by statistics"},
     {"bench", lobe_app_bench, "time every model"},
     {"render", lobe_app_render, "path-trace a scene"},

@@ -30,11 +30,12 @@ typedef struct render_values {
     picture_size size;
     uint32_t aovs;
     lobe_model model; /* of ndf, masking and method */
-    int ndf, masking, method, g2, normalization, heuristic, progress;
+    int ndf, masking, method, g2, normalization, heuristic, multiscatter, progress;
     bool strict, ground, list_scenes, json;
 } render_values;
 
 static const char *const heuristics[] = {"balance", "power", "bsdf-only", "light-only", NULL};
+static const char *const multiscatters[] = {"none", "kulla-conty", "turquin", NULL};
 
 #define AOV_NAME(ID, name, channels, about) " " name
 #define AOV_NAMES LOBE_AOVS(AOV_NAME)
@@ -125,6 +126,8 @@ static const lobe_app_option method_options[] = {
      lobe_app_g2s},
     {"--normalization", "NAME", "unbiased", "of the densities behind a shading normal",
      lobe_app_read_choice, AT(normalization), lobe_app_normalizations},
+    {"--multiscatter", "NAME", "none", "what metals scatter more than once", lobe_app_read_choice,
+     AT(multiscatter), multiscatters},
     {"--heuristic", "NAME", "balance", "how light and surface samples are combined",
      lobe_app_read_choice, AT(heuristic), heuristics},
     {0}};
@@ -197,6 +200,7 @@ static lobe_render_options render_options(const render_values *v, render_run *ru
     r.time_limit = v->time_limit;
     r.camera = v->camera;
     r.heuristic = (lobe_heuristic)v->heuristic;
+    r.multiscatter = (lobe_multiscatter)v->multiscatter;
     r.aovs = v->aovs;
     r.progress = show_progress;
     r.progress_user = run;

@@ -5,7 +5,8 @@
  * sign of the slope turned), for i_z <= 0 the half plane s.i_xy > |i_z|: on every ray from the origin
  * an interval of rho. D cos dm = du dpsi/2 pi with u the cumulative distribution along the ray, and
  *   E = integral of F 4 (i.m) f cos/(D m_z) du dpsi/2 pi,
- * smooth inside, with steep turns toward the ends at grazing angles: the double exponential rule. */
+ * smooth inside, with steep turns toward the ends at grazing angles: the double exponential rule. D is
+ * that of GGX also for another distribution, whose f cos then brings its own. */
 #include "../kernel/bind/c_f64.h"
 
 #include "lobe/albedo.h"
@@ -16,7 +17,7 @@
 #include <stddef.h>
 
 typedef struct node {
-    double x, rest, weight, cosine, sine;
+    double x, rest, weight;
 } node;
 
 static const node nodes[] = {
@@ -26,8 +27,10 @@ enum { NODE_COUNT = sizeof nodes / sizeof nodes[0] };
 
 typedef struct integrand {
     ggx_base base;
+    bool is_ggx;               /* Smith-GGX; else the value is that of `model`, */
+    lobe_reflection_f64 model; /* over the same variables */
     lobe_reflectance f;
-    int stride; /* between the nodes in use */
+    int first, stride; /* of the nodes in use; as many are left out at the other end */
 } integrand;
 
 /* A stretch of the cumulative distribution u: from its lower end, and 1 - u at its upper end. */
@@ -74,6 +77,11 @@ static double value_at(const integrand *q, double x, double y) {
     pair.cos_im = along * mz;
     pair.d = 1.0; /* f cos is in proportion to D, which the variables carry */
     pair.leaves = pair.wo.z > 0.0 && along > 0.0;
+    if (!q->is_ggx && pair.leaves) {
+        const lobe_vec3_f64 m = {pair.m.x, pair.m.y, pair.m.z};
+        return 4.0 * along * reflectance(&q->f, pair.cos_im) *
+               lobe_reflection_eval_m_f64(&q->model, m).f_cos / ggx_d(q->base, pair.m);
+    }
     return pair.leaves ? 4.0 * along * ggx_f_cos(q->base, pair) * reflectance(&q->f, pair.cos_im)
                        : 0.0;
 }
@@ -84,7 +92,7 @@ static double along_ray(const integrand *q, double cosine, double sine) {
     const stretch r = stretch_of(x * x + y * y, x * q->base.wi.x + y * q->base.wi.y, q->base.wi.z);
     if (!(r.length > 0.0)) return 0.0;
     double sum = 0.0;
-    for (int k = 0; k < NODE_COUNT; k += q->stride) {
+    for (int k = q->first; k < NODE_COUNT - q->first; k += q->stride) {
         const double u = r.start + r.length * nodes[k].x, rest = r.rest + r.length * nodes[k].rest;
         const double rho = k_sqrt(u / rest);
         sum += nodes[k].weight * value_at(q, rho * x, rho * y);
@@ -92,24 +100,43 @@ static double along_ray(const integrand *q, double cosine, double sine) {
     return sum * r.length;
 }
 
-/* Four quarter turns from the azimuth of i in the round plane; the mirrored two where the surface is
- * symmetric about the plane of incidence. */
-static double around(const integrand *q) {
-    const facet_azimuth to_i =
-        facet_azimuth_of(v3_of(q->base.ax * q->base.wi.x, q->base.ay * q->base.wi.y, 0.0));
-    const bool symmetric = q->base.ax == q->base.ay || q->base.wi.x == 0.0 || q->base.wi.y == 0.0;
-    const int quarters = symmetric ? 2 : 4;
-    double sum = 0.0, x = to_i.x, y = to_i.y;
-    for (int turn = 0; turn < quarters; ++turn) {
-        for (int k = 0; k < NODE_COUNT; k += q->stride) {
-            const double c = nodes[k].cosine, s = nodes[k].sine;
-            sum += nodes[k].weight * along_ray(q, x * c - y * s, x * s + y * c);
-        }
-        const double previous = x;
-        x = -y;
-        y = previous;
+/* Over the angle between two unit vectors less than half a turn apart, by the tangent of half of it. */
+static double between(const integrand *q, facet_azimuth p, facet_azimuth r) {
+    const double last = (p.x * r.y - p.y * r.x) / (1.0 + p.x * r.x + p.y * r.y);
+    if (!(last > 1e-12)) return 0.0;
+    double sum = 0.0;
+    for (int k = q->first; k < NODE_COUNT - q->first; k += q->stride) {
+        const double t = last * nodes[k].x, inverse = 1.0 / (1.0 + t * t);
+        const double c = (1.0 - t * t) * inverse, s = 2.0 * t * inverse;
+        sum += nodes[k].weight * inverse * along_ray(q, c * p.x - s * p.y, c * p.y + s * p.x);
     }
-    return sum * q->stride * q->stride / quarters;
+    return sum * 2.0 * last;
+}
+
+static facet_azimuth turned(facet_azimuth p) {
+    const facet_azimuth r = {-p.y, p.x, p.rho};
+    return r;
+}
+
+/* All around. The rays turn steeply where they are across from i in the plane where D is round, and
+ * toward the axes of the roughness: no piece has either inside, but for a coarse sum. A surface that is symmetric about the
+ * plane of incidence needs one half. */
+static double around(const integrand *q) {
+    const bool is_round = q->base.ax == q->base.ay || q->stride == 4;
+    const bool symmetric = q->base.ax == q->base.ay || q->base.wi.y == 0.0;
+    facet_azimuth to_i =
+        facet_azimuth_of(v3_of(q->base.ax * q->base.wi.x, q->base.ay * q->base.wi.y, 0.0));
+    facet_azimuth axis = {1.0, 0.0, 1.0};
+    while (!is_round && !(to_i.x > 0.0 && to_i.y >= 0.0)) to_i = turned(to_i);
+    double sum = 0.0;
+    for (int quarter = 0; quarter < (symmetric ? 2 : 4); ++quarter) {
+        const facet_azimuth next = turned(axis);
+        sum += is_round ? between(q, to_i, turned(to_i))
+                        : between(q, axis, to_i) + between(q, to_i, next);
+        to_i = turned(to_i);
+        axis = next;
+    }
+    return sum * q->stride * q->stride * (symmetric ? K_INV_PI : 0.5 * K_INV_PI);
 }
 
 static double not_a_number(void) {
@@ -119,10 +146,18 @@ static double not_a_number(void) {
 static integrand integrand_of(lobe_microsurface s, lobe_reflectance f, lobe_vec3_f64 wi,
                               lobe_effort effort) {
     integrand q;
+    q.is_ggx = s.ndf == LOBE_NDF_GGX && s.masking == LOBE_MASKING_SMITH;
     q.base = ggx_base_of(v3_of(wi.x, wi.y, wi.z), s.alpha_x, s.alpha_y,
                          facet_options_of(s.g2 == LOBE_G2_SEPARABLE, false));
     q.f = f;
     q.stride = effort == LOBE_EFFORT_COARSE ? 4 : effort == LOBE_EFFORT_MEDIUM ? 2 : 1;
+    q.first = effort == LOBE_EFFORT_COARSE ? 12 : 0; /* the outer ones weigh 1e-5 */
+    if (q.is_ggx) return q;
+    lobe_reflection_options options = lobe_reflection_default_options();
+    options.model = (lobe_model){s.ndf, s.masking, lobe_best_method(s.ndf, s.masking)};
+    options.g2 = s.g2;
+    q.model = lobe_reflection_prepare_f64(options, wi, s.alpha_x, s.alpha_y);
+    q.base.valid = q.base.valid && q.model.is_valid;
     return q;
 }
 
@@ -134,23 +169,27 @@ double lobe_albedo(lobe_microsurface s, lobe_reflectance f, lobe_vec3_f64 wi, lo
 }
 
 /* 2 * integral of E mu dmu along one azimuth */
-static double average_along(lobe_microsurface s, lobe_reflectance f, const node *azimuth,
+static double average_along(lobe_microsurface s, lobe_reflectance f, double x, double y,
                             lobe_effort effort) {
     const int stride = effort == LOBE_EFFORT_COARSE ? 4 : 2;
     double sum = 0.0;
     for (int k = 0; k < NODE_COUNT; k += stride) {
         const double mu = nodes[k].x, plane = k_sqrt(nodes[k].rest * (1.0 + mu));
-        const lobe_vec3_f64 wi = {plane * azimuth->cosine, plane * azimuth->sine, mu};
+        const lobe_vec3_f64 wi = {plane * x, plane * y, mu};
         sum += nodes[k].weight * 2.0 * mu * lobe_albedo(s, f, wi, effort);
     }
     return sum * stride;
 }
 
+/* Over a quarter of the azimuths where they differ, by the tangent of half the angle. */
 double lobe_albedo_average(lobe_microsurface s, lobe_reflectance f, lobe_effort effort) {
-    if (s.alpha_x == s.alpha_y) return average_along(s, f, &nodes[0], effort);
+    if (s.alpha_x == s.alpha_y) return average_along(s, f, 1.0, 0.0, effort);
     const int stride = effort == LOBE_EFFORT_COARSE ? 4 : 2;
     double sum = 0.0;
-    for (int k = 0; k < NODE_COUNT; k += stride)
-        sum += nodes[k].weight * average_along(s, f, &nodes[k], effort);
-    return sum * stride;
+    for (int k = 0; k < NODE_COUNT; k += stride) {
+        const double t = nodes[k].x, inverse = 1.0 / (1.0 + t * t);
+        const double x = (1.0 - t * t) * inverse, y = 2.0 * t * inverse;
+        sum += nodes[k].weight * inverse * average_along(s, f, x, y, effort);
+    }
+    return sum * stride * 4.0 * K_INV_PI;
 }

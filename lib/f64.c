@@ -3,5 +3,6 @@
 
 #define LOBE_NAME(stem) lobe_##stem##_f64
 
+#include "albedo_template.h"
 #include "fresnel_template.h"
 #include "reflection_template.h"

@@ -11,7 +11,7 @@
  * and what the coat and the base below it (material.h) reflect together stays below 1. The average is
  * that of the table as it is read, over the azimuth too.
  * Measured, E - table, roughness 0.01 to 1 and cosine 0.001 to 1: isotropic -0.0041 to 0.0004;
- * anisotropy 0.5 -0.0058 to 0.0003, 0.7 -0.0080, 0.9 -0.0241, 0.95 -0.0419 to 0.0006. */
+ * anisotropy 0.5 -0.0058 to 0.0003, 0.7 -0.0075, 0.9 -0.0243, 0.95 -0.0418 to 0.0006. */
 #ifndef LOBE_RENDER_COAT_H
 #define LOBE_RENDER_COAT_H
 

@@ -5,14 +5,43 @@ static vec3 fresnel(const surface *s, float cosine) {
     vec3 f0 = s->base_color;
     vec3 metal = {lobe_fresnel_schlick_f32(f0.x, cosine), lobe_fresnel_schlick_f32(f0.y, cosine),
                   lobe_fresnel_schlick_f32(f0.z, cosine)};
-    return v3_add(v3_scale(metal, s->metallic), v3_all(coat));
+    return v3_add(v3_scale(v3_mul(metal, s->factor), s->metallic), v3_all(coat));
 }
 
-/* In proportion to what each lobe reflects; neither is starved. */
-static float specular_probability(const surface *s, float coat_i) {
+static float fms(float f0, float missing_average) {
+    return lobe_multiscatter_fms_f32(lobe_fresnel_schlick_average_f32(f0), missing_average);
+}
+
+/* The metal's scatterings after the first; returns the albedo of the second lobe. */
+static float compensate(surface *s, lobe_multiscatter multiscatter,
+                        const lobe_reflection_options *o) {
+    s->rest = v3_all(0.0f);
+    s->factor = v3_all(1.0f);
+    if (multiscatter == LOBE_MULTISCATTER_NONE || !(s->metallic > 0.0f)) return 0.0f;
+    s->albedo = lobe_albedo_prepare_f32(o->model.ndf, o->model.masking, o->g2, s->ggx.alpha_x,
+                                        s->ggx.alpha_y);
+    float missing = lobe_albedo_missing_f32(&s->albedo, s->ggx.wi);
+    if (s->ggx.is_mirror || !(missing > 0.0f)) return 0.0f;
+    vec3 f0 = s->base_color;
+    if (multiscatter == LOBE_MULTISCATTER_TURQUIN) {
+        s->factor = v3(lobe_multiscatter_turquin_f32(f0.x, missing),
+                       lobe_multiscatter_turquin_f32(f0.y, missing),
+                       lobe_multiscatter_turquin_f32(f0.z, missing));
+        return 0.0f;
+    }
+    float average = s->albedo.missing_average;
+    vec3 color = v3(fms(f0.x, average), fms(f0.y, average), fms(f0.z, average));
+    float lobe = lobe_multiscatter_kulla_conty_f32(s->metallic, missing, 1.0f, average);
+    s->rest = v3_scale(color, lobe);
+    return s->metallic * missing * v3_luminance(color);
+}
+
+/* In proportion to what each lobe reflects; `rest` by the metal's second lobe. Neither the GGX nor a
+ * base is starved. */
+static float specular_probability(const surface *s, float coat_i, float rest) {
     float base = v3_luminance(s->base_color);
     float specular = s->metallic * base + (1.0f - s->metallic) * coat_i;
-    float diffuse = (1.0f - s->metallic) * base * (1.0f - coat_i);
+    float diffuse = (1.0f - s->metallic) * base * (1.0f - coat_i) + rest;
     return clampf(specular / fmaxf(specular + diffuse, 1e-6f), 0.1f, 1.0f);
 }
 
@@ -26,13 +55,14 @@ surface lobe_surface_at(const surface_options *options, frame shading, vec3 geom
     s.ggx = lobe_reflection_prepare_above_f32(options->ggx, wi, alpha * (1.0f + anisotropy),
                                               alpha * (1.0f - anisotropy),
                                               frame_to_local(&shading, geometric));
-    s.specular = 1.0f;
+    float rest = compensate(&s, options->multiscatter, &options->ggx);
+    s.specular = rest > 0.0f ? specular_probability(&s, 0.0f, rest) : 1.0f;
     if (metallic >= 1.0f) return s;
     s.coat = lobe_coat_at(options->coat, &s.ggx);
     float coat_i = lobe_coat_albedo(&s.coat, wi);
     s.base_share_i =
         (1.0f - metallic) * (1.0f - coat_i) / (LOBE_PI * (1.0f - lobe_coat_average(&s.coat)));
-    s.specular = specular_probability(&s, coat_i);
+    s.specular = specular_probability(&s, coat_i, rest);
     return s;
 }
 
@@ -43,6 +73,8 @@ vec3 lobe_surface_value(const surface *s, vec3 direction, float *pdf) {
     lobe_reflection_eval_f32 e = lobe_reflection_eval_wo_f32(&s->ggx, wo);
     vec3 value = v3_scale(fresnel(s, e.cos_im), e.f_cos);
     *pdf = s->specular * e.pdf + (1.0f - s->specular) * wo.z / LOBE_PI;
+    if (v3_max(s->rest) > 0.0f)
+        value = v3_add(value, v3_scale(s->rest, lobe_albedo_missing_f32(&s->albedo, wo) * wo.z));
     if (!(s->base_share_i > 0.0f)) return value;
     float share = s->base_share_i * (1.0f - lobe_coat_albedo(&s->coat, wo)) * wo.z;
     return v3_add(value, v3_scale(s->base_color, share));

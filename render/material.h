@@ -4,12 +4,16 @@
  * The base gets what the coat lets through (Kelemen & Szirmay-Kalos 2001):
  * f = base (1 - E(i)) (1 - E(o)) / (pi (1 - E_avg)), E the albedo of the coat as the table of coat.h
  * has it, E_avg its exact average. A white dielectric then reflects 1 + (true E - E of the table):
- * all light, and never more, for the table bounds E from above. */
+ * all light, and never more, for the table bounds E from above.
+ *
+ * What the metal scatters more than once is left out, added as a second lobe (Kulla & Conty 2017), drawn
+ * like the base, or made up for by a factor (Turquin 2019): lobe/albedo.h. */
 #ifndef LOBE_RENDER_MATERIAL_H
 #define LOBE_RENDER_MATERIAL_H
 
 #include "coat.h"
 #include "lobe/fresnel.h"
+#include "lobe/render.h"
 
 typedef struct surface {
     frame frame;             /* shading */
@@ -18,8 +22,11 @@ typedef struct surface {
     vec3 base_color;
     float metallic;
     coat coat;
-    float base_share_i; /* (1 - metallic) (1 - E(i))/(pi (1 - E_avg)); 0: no base */
-    float specular;     /* probability of drawing from the GGX */
+    float base_share_i;     /* (1 - metallic) (1 - E(i))/(pi (1 - E_avg)); 0: no base */
+    lobe_albedo_f32 albedo; /* of the metal, with F = 1 */
+    vec3 rest;              /* colour of the metal's second lobe: its f is rest * (1 - E(o)) */
+    vec3 factor;            /* on the metal's first */
+    float specular;         /* probability of drawing from the GGX */
 } surface;
 
 typedef struct surface_draw {
@@ -33,6 +40,7 @@ typedef struct surface_draw {
 typedef struct surface_options {
     lobe_reflection_options ggx;
     const coat_table *coat;
+    lobe_multiscatter multiscatter;
 } surface_options;
 
 /* `to_viewer`: unit, world, on the front of `geometric`. */

@@ -193,7 +193,12 @@ static lobe_render_result check_options(const lobe_render_options *o) {
     if (o->threads < 0 || o->threads > 1024)
         return lobe_fail(LOBE_RENDER_BAD_INPUT, "threads: %d is out of range; use 0 to 1024",
                          o->threads);
-    if (!lobe_model_exists(o->reflection.model) ||
+    const lobe_model model = o->reflection.model;
+    if (o->multiscatter != LOBE_MULTISCATTER_NONE &&
+        (model.ndf != LOBE_NDF_GGX || model.masking != LOBE_MASKING_SMITH))
+        return lobe_fail(LOBE_RENDER_BAD_INPUT,
+                         "multiscatter: known for --ndf ggx --masking smith only; leave it out");
+    if (!lobe_model_exists(model) || (unsigned)o->multiscatter > LOBE_MULTISCATTER_TURQUIN ||
         !(o->reflection.floor >= 0.0 && o->reflection.floor <= 1.0) ||
         (unsigned)o->heuristic >= 4u || !(o->time_limit >= 0.0))
         return lobe_fail(LOBE_RENDER_BAD_INPUT,
@@ -251,7 +256,7 @@ lobe_render_result lobe_render(const lobe_scene *scene, lobe_render_options opti
     job j = {.scene = scene, .options = &options, .start = now(CLOCK_MONOTONIC)};
     double cpu = now(CLOCK_PROCESS_CPUTIME_ID);
     j.integrator = (integrator){scene,
-                                {options.reflection, coat},
+                                {options.reflection, coat, options.multiscatter},
                                 options.heuristic,
                                 options.depth,
                                 options.roulette_depth};

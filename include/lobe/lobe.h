@@ -11,5 +11,6 @@
 #include "random.h"
 #include "types.h"
 #include "version.h"
+#include "walk.h"
 
 #endif

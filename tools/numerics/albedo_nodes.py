@@ -2,10 +2,10 @@
 """lib/albedo_nodes.inc: the double exponential rule on (0, 1), x = 1/(1 + exp(-pi sinh t)).
 
 Usage: tools/numerics/albedo_nodes.py > lib/albedo_nodes.inc
-Each row: x, 1 - x (each to all its digits), weight, and cosine and sine of a quarter turn times x.
+Each row: x, 1 - x (each to all its digits) and the weight.
 The step of t is 1/10; every second or fourth row makes the coarser rules.
 """
-from math import cos, cosh, exp, pi, sin, sinh
+from math import cosh, exp, pi, sinh
 
 LAST = 32
 
@@ -15,4 +15,4 @@ for k in range(-LAST, LAST + 1):
     e = pi * sinh(t)
     x, rest = 1 / (1 + exp(-e)), 1 / (1 + exp(e))
     weight = pi / 10 * cosh(t) * x * rest
-    print("{%.17g, %.17g, %.17g, %.17g, %.17g}," % (x, rest, weight, sin(pi / 2 * rest), sin(pi / 2 * x)))
+    print("{%.17g, %.17g, %.17g}," % (x, rest, weight))

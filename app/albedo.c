@@ -1,0 +1,318 @@
+/* app/albedo.c: `lobe albedo`: how much a microsurface reflects, once and in all. */
+#include <math.h>
+#include <string.h>
+
+#include <lobe/albedo.h>
+#include <lobe/random.h>
+#include <lobe/walk.h>
+
+#include "commands.h"
+#include "interrupt.h"
+#include "model.h"
+#include "number.h"
+#include "table.h"
+
+typedef enum albedo_method {
+    METHOD_QUADRATURE,
+    METHOD_TABLE,
+    METHOD_FIT,
+    METHOD_WALK
+} albedo_method;
+typedef enum compensation { COMPENSATION_NONE, KULLA_CONTY, TURQUIN } compensation;
+
+static const char *const methods[] = {"quadrature", "table", "fit", "walk", NULL};
+static const char *const compensations[] = {"none", "kulla-conty", "turquin", NULL};
+static const char *const formats[] = {"csv", "ndjson", NULL};
+
+enum { COSINES_MAX = 256, LAWS_MAX = 16 };
+
+typedef struct cosine_list {
+    double value[COSINES_MAX];
+    int count;
+} cosine_list;
+
+typedef struct law_list {
+    lobe_reflectance law[LAWS_MAX];
+    int count;
+} law_list;
+
+typedef struct albedo_values {
+    lobe_app_model_values model;
+    cosine_list mu;
+    law_list fresnel;
+    int method, compensation, format;
+    uint64_t walks, seed;
+    bool json;
+} albedo_values;
+
+/* ---- Options --------------------------------------------------------------------------------- */
+
+static bool read_cosines(const lobe_app_option *option, const char *text, void *value) {
+    cosine_list *list = value;
+    list->count = lobe_app_read_numbers(text, 1, COSINES_MAX, list->value);
+    bool is_good = list->count > 0;
+    for (int i = 0; i < list->count; i++) is_good &= list->value[i] > 0 && list->value[i] <= 1;
+    if (!is_good)
+        lobe_app_report(option->name, "give up to 256 cosines above 0 and up to 1, as in 0.1,0.5,1",
+                        "cannot use '%.60s'", text);
+    return is_good;
+}
+
+static lobe_reflectance law_of(const lobe_app_fresnel *f) {
+    static const lobe_reflectance_law laws[] = {
+        [LOBE_APP_FRESNEL_NONE] = LOBE_REFLECTANCE_ONE,
+        [LOBE_APP_FRESNEL_SCHLICK] = LOBE_REFLECTANCE_SCHLICK,
+        [LOBE_APP_FRESNEL_F82] = LOBE_REFLECTANCE_F82,
+        [LOBE_APP_FRESNEL_DIELECTRIC] = LOBE_REFLECTANCE_DIELECTRIC,
+        [LOBE_APP_FRESNEL_CONDUCTOR] = LOBE_REFLECTANCE_CONDUCTOR};
+    return (lobe_reflectance){laws[f->kind], f->parameter[0], f->parameter[1]};
+}
+
+/* One law, or one for each wavelength, with slashes between. */
+static bool read_laws(const lobe_app_option *option, const char *text, void *value) {
+    law_list *list = value;
+    list->count = 0;
+    for (const char *rest = text;; rest++) {
+        char one[128];
+        const size_t length = strcspn(rest, "/");
+        if (length >= sizeof one || list->count == LAWS_MAX) {
+            lobe_app_report(option->name, "give up to 16 laws with / between",
+                            "'%.60s' is too long a list", text);
+            return false;
+        }
+        memcpy(one, rest, length);
+        one[length] = '\0';
+        lobe_app_fresnel fresnel = {0};
+        if (!lobe_app_read_fresnel(option, one, &fresnel)) return false;
+        list->law[list->count++] = law_of(&fresnel);
+        rest += length;
+        if (!*rest) return true;
+    }
+}
+
+#define MEMBER(name) offsetof(albedo_values, name)
+static const lobe_app_option options[] = {
+    {"--mu", "M[,M...]", "0.1,0.2,...,1", "cosines between the direction and the normal, toward +x",
+     read_cosines, MEMBER(mu), NULL},
+    {"--wi", "X,Y,Z", "none", "one direction above the surface, of any length, instead of --mu",
+     lobe_app_read_direction, MEMBER(model.wi), NULL},
+    {"--method", "NAME", "quadrature",
+     "where E comes from; fit: equal roughnesses; walk: random walks over all scatterings",
+     lobe_app_read_choice, MEMBER(method), methods},
+    {"--multiscatter", "NAME", "none", "what compensates for the scatterings after the first",
+     lobe_app_read_choice, MEMBER(compensation), compensations},
+    {"--fresnel", "F[/F...]", "none",
+     "reflectance of a microfacet: none (F = 1), F0 (Schlick), f82:F0,TINT, dielectric:IOR, "
+     "conductor:N,K; several, one for each wavelength, give a row each",
+     read_laws, MEMBER(fresnel), NULL},
+    {"--walks", "N", "1000000", "random walks a row, from 1 to 1e9", lobe_app_read_u64,
+     MEMBER(walks), NULL},
+    {"--seed", "S", "1", "of the random walks", lobe_app_read_u64, MEMBER(seed), NULL},
+    {"--format", "NAME", "csv", "of the output", lobe_app_read_choice, MEMBER(format), formats},
+    {"--json", NULL, NULL, "the same as --format ndjson", NULL, MEMBER(json), NULL},
+    {0}};
+#undef MEMBER
+
+/* The model options that an integral knows. */
+static void pick_model_options(lobe_app_option *picked) {
+    static const char *const names[] = {"--ndf", "--masking", "--alpha", "--g2"};
+    for (size_t k = 0; k < sizeof names / sizeof names[0]; k++)
+        for (const lobe_app_option *o = lobe_app_model_options; o->name; o++)
+            if (strcmp(o->name, names[k]) == 0) *picked++ = *o;
+    *picked = (lobe_app_option){0};
+}
+
+/* ---- E by the chosen method ------------------------------------------------------------------ */
+
+typedef struct source {
+    lobe_microsurface surface;
+    albedo_method method;
+    lobe_albedo_f32 table;
+    double missing_average; /* 1 - E_avg as the method says it, */
+    double missing;         /* and as it makes it: the average of its 1 - E */
+} source;
+
+/* 1 - E */
+static double missing_toward(const source *s, lobe_vec3_f64 w) {
+    switch (s->method) {
+    case METHOD_TABLE:
+        return (double)lobe_albedo_missing_f32(&s->table,
+                                               (lobe_vec3_f32){(float)w.x, (float)w.y, (float)w.z});
+    case METHOD_FIT:
+        return lobe_albedo_fit_missing_f64(s->surface.g2, s->surface.alpha_x, w.z);
+    case METHOD_QUADRATURE:
+    case METHOD_WALK:
+        break;
+    }
+    return 1 - lobe_albedo(s->surface, lobe_reflectance_one(), w, LOBE_EFFORT_FINE);
+}
+
+/* 1/pi * integral of (1 - E) cosine: even steps of t, cosine = t^4; a quarter of the azimuths. */
+static double missing_of(const source *s) {
+    enum { STEPS = 256 };
+    const int turns = s->surface.alpha_x == s->surface.alpha_y ? 1 : 48;
+    double sum = 0;
+    for (int j = 0; j < turns; j++) {
+        const double angle = acos(0.0) * (j + 0.5) / turns;
+        for (int i = 0; i < STEPS; i++) {
+            const double t = (i + 0.5) / STEPS, t3 = t * t * t, z = t3 * t, plane = sqrt(1 - z * z);
+            const lobe_vec3_f64 w = {plane * cos(angle), plane * sin(angle), z};
+            sum += 8 * t3 * t3 * t * missing_toward(s, w);
+        }
+    }
+    return sum / (STEPS * turns);
+}
+
+static source source_of(const albedo_values *v) {
+    source s = {.method = (albedo_method)v->method};
+    s.surface = (lobe_microsurface){(lobe_ndf)v->model.ndf, (lobe_masking)v->model.masking,
+                                    (lobe_g2)v->model.g2, v->model.alpha[0], v->model.alpha[1]};
+    s.table = lobe_albedo_prepare_f32(s.surface.ndf, s.surface.masking, s.surface.g2,
+                                      (float)s.surface.alpha_x, (float)s.surface.alpha_y);
+    if (s.method == METHOD_TABLE)
+        s.missing_average = (double)s.table.missing_average;
+    else if (s.method == METHOD_FIT)
+        s.missing_average = lobe_albedo_fit_missing_average_f64(s.surface.g2, s.surface.alpha_x);
+    else
+        s.missing_average =
+            fmax(1 - lobe_albedo_average(s.surface, lobe_reflectance_one(), LOBE_EFFORT_FINE), 0);
+    const bool is_approximate = s.method == METHOD_TABLE || s.method == METHOD_FIT;
+    s.missing = is_approximate ? missing_of(&s) : s.missing_average;
+    return s;
+}
+
+/* ---- Rows ------------------------------------------------------------------------------------ */
+
+/* All that leaves toward `wi`: the first scattering by quadrature, the others as compensated. */
+static double furnace_of(const source *s, lobe_reflectance f, compensation c, lobe_vec3_f64 wi,
+                         double lacks, double f_ms) {
+    const double first = lobe_albedo(s->surface, f, wi, LOBE_EFFORT_FINE);
+    if (c == TURQUIN)
+        return first * lobe_multiscatter_turquin_f64(lobe_reflectance_at(f, 1.0), lacks);
+    if (c == KULLA_CONTY && s->missing_average > 0)
+        return first + f_ms * lacks * s->missing / s->missing_average;
+    return first;
+}
+
+/* The walks toward one direction; false: interrupted. */
+static bool walk(const albedo_values *v, lobe_microsurface s, lobe_vec3_f64 wi, double *e,
+                 double furnace[LAWS_MAX]) {
+    enum { MOST = 100000 };
+    uint64_t first = 0;
+    for (int k = 0; k < v->fresnel.count; k++) furnace[k] = 0;
+    for (uint64_t i = 0; i < v->walks && !lobe_app_interrupted; i++) {
+        double weight[LAWS_MAX];
+        first += lobe_walk_sample(s, v->fresnel.law, v->fresnel.count, wi, v->seed, i, MOST, weight)
+                     .bounces == 1;
+        for (int k = 0; k < v->fresnel.count; k++) furnace[k] += weight[k];
+    }
+    for (int k = 0; k < v->fresnel.count; k++) furnace[k] /= (double)v->walks;
+    *e = (double)first / (double)v->walks;
+    return !lobe_app_interrupted;
+}
+
+static const char *const columns[] = {"mu", "e", "e_avg", "f_avg", "f_ms", "furnace", NULL};
+
+/* false: standard output is closed, or interrupted. */
+static bool write_direction(const albedo_values *v, const source *s, const lobe_app_table *table,
+                            lobe_vec3_f64 wi) {
+    double walked[LAWS_MAX], e;
+    if (s->method == METHOD_WALK) {
+        if (!walk(v, s->surface, wi, &e, walked)) return false;
+    } else {
+        e = 1 - missing_toward(s, wi);
+    }
+    for (int k = 0; k < v->fresnel.count; k++) {
+        const lobe_reflectance f = v->fresnel.law[k];
+        const double f_avg = lobe_reflectance_average(f);
+        const double f_ms = lobe_multiscatter_fms_f64(f_avg, s->missing_average);
+        const double furnace =
+            s->method == METHOD_WALK
+                ? walked[k]
+                : furnace_of(s, f, (compensation)v->compensation, wi, 1 - e, f_ms);
+        const double row[] = {wi.z, e, 1 - s->missing_average, f_avg, f_ms, furnace};
+        if (!lobe_app_write_row(table, row)) return false;
+    }
+    return true;
+}
+
+static lobe_app_status check(const albedo_values *v, const lobe_app_arguments *arguments) {
+    lobe_model model;
+    lobe_app_status status;
+    if ((status = lobe_app_exclude(arguments, "--json", "--format"))) return status;
+    if ((status = lobe_app_exclude(arguments, "--wi", "--mu"))) return status;
+    if ((status = lobe_app_choose_model(v->model.ndf, v->model.masking, LOBE_METHOD_COUNT, &model)))
+        return status;
+    const double *alpha = v->model.alpha;
+    const lobe_microsurface s = {model.ndf, model.masking, (lobe_g2)v->model.g2, alpha[0],
+                                 alpha[1]};
+    if (!lobe_app_is_given(arguments, "--alpha"))
+        return lobe_app_reject("--alpha", "give the roughness, as in --alpha 0.3", "missing");
+    if (!(v->model.wi.z > 0))
+        return lobe_app_reject("--wi", "tilt it above the surface", "the direction lies below");
+    if (isnan(lobe_albedo(s, lobe_reflectance_one(), v->model.wi, LOBE_EFFORT_COARSE)))
+        return lobe_app_reject("--alpha", "give a smaller roughness", "%g,%g is too large",
+                               alpha[0], alpha[1]);
+    const bool is_ggx = s.ndf == LOBE_NDF_GGX && s.masking == LOBE_MASKING_SMITH;
+    if (v->method != METHOD_QUADRATURE && !is_ggx)
+        return lobe_app_reject("--method", "take --method quadrature",
+                               "%s is known for --ndf ggx --masking smith only",
+                               methods[v->method]);
+    if (v->method == METHOD_FIT && (alpha[0] != alpha[1] || alpha[0] > 1))
+        return lobe_app_reject("--method", "take --method table or quadrature",
+                               "the fit holds for equal roughnesses up to 1");
+    if (v->method == METHOD_TABLE && (alpha[0] > 2 || alpha[1] > 2))
+        return lobe_app_reject("--method", "take --method quadrature",
+                               "the table ends at a roughness of 2");
+    if (v->method == METHOD_WALK && v->compensation != COMPENSATION_NONE)
+        return lobe_app_reject("--multiscatter", "leave it out",
+                               "--method walk has all scatterings already");
+    if (v->walks < 1 || v->walks > 1000000000)
+        return lobe_app_reject("--walks", "give 1 to 1000000000", "out of range");
+    return LOBE_APP_DONE;
+}
+
+static lobe_app_status write_rows(const albedo_values *v, const lobe_app_arguments *arguments) {
+    const source s = source_of(v);
+    const lobe_app_table table = {v->json ? LOBE_APP_NDJSON : (lobe_app_format)v->format,
+                                  LOBE_APP_F64, columns};
+    lobe_app_catch_interrupt();
+    bool goes_on = lobe_app_begin_table(&table);
+    if (lobe_app_is_given(arguments, "--wi")) {
+        if (goes_on) write_direction(v, &s, &table, v->model.wi);
+    } else {
+        for (int i = 0; i < v->mu.count && goes_on; i++) {
+            const double mu = v->mu.value[i];
+            goes_on = write_direction(v, &s, &table, (lobe_vec3_f64){sqrt(1 - mu * mu), 0, mu});
+        }
+    }
+    return lobe_app_interrupted ? LOBE_APP_INTERRUPTED : LOBE_APP_DONE;
+}
+
+lobe_app_status lobe_app_albedo(int argc, char **argv) {
+    albedo_values values = {.model = lobe_app_default_model(), .walks = 1000000, .seed = 1};
+    values.model.wi.z = 1;
+    values.mu.count = 10;
+    for (int i = 0; i < 10; i++) values.mu.value[i] = (i + 1) / 10.0;
+    values.fresnel = (law_list){{lobe_reflectance_one()}, 1};
+    lobe_app_option model_options[8];
+    pick_model_options(model_options);
+    const lobe_app_group groups[] = {
+        {"Microsurface", model_options, &values.model}, {"Albedo", options, &values}, {0}};
+    const lobe_app_command command = {
+        "albedo",
+        "--alpha A[,AY] [OPTIONS]",
+        "Integrates: e, the albedo of one scattering with F = 1 toward a direction; e_avg, its "
+        "average;\n"
+        "f_avg, the average of F; f_ms, the colour of the scatterings after the first (Hill 2018); "
+        "furnace,\n"
+        "what the surface reflects of even light, with F and with the chosen compensation.",
+        NULL,
+        groups,
+        "lobe albedo --alpha 0.5 --mu 0.2,0.9 --fresnel 0.9 --multiscatter kulla-conty"};
+    lobe_app_arguments arguments;
+    lobe_app_status status = lobe_app_parse(&command, argc, argv, &arguments);
+    if (status || arguments.is_answered) return status;
+    if ((status = check(&values, &arguments))) return status;
+    return write_rows(&values, &arguments);
+}

@@ -1,0 +1,27 @@
+/* lib/albedo_template.h: the closed fits and the compensation of lobe/albedo.h over the kernels, once
+ * for each precision. Before including: as for reflection_template.h. */
+#include "lobe/albedo.h"
+
+#include "../kernel/albedo_fit.h"
+#include "../kernel/multiscatter.h"
+
+real LOBE_NAME(albedo_fit_missing)(lobe_g2 g2, real alpha, real mu) {
+    return albedo_fit_missing(alpha, mu, g2 == LOBE_G2_SEPARABLE);
+}
+
+real LOBE_NAME(albedo_fit_missing_average)(lobe_g2 g2, real alpha) {
+    return albedo_fit_missing_average(alpha, g2 == LOBE_G2_SEPARABLE);
+}
+
+real LOBE_NAME(multiscatter_fms)(real f_avg, real missing_avg) {
+    return multiscatter_fms(f_avg, missing_avg);
+}
+
+real LOBE_NAME(multiscatter_kulla_conty)(real f_ms, real missing_i, real missing_o,
+                                         real missing_avg) {
+    return multiscatter_kulla_conty(f_ms, missing_i, missing_o, missing_avg);
+}
+
+real LOBE_NAME(multiscatter_turquin)(real f0, real missing_i) {
+    return multiscatter_turquin(f0, missing_i);
+}
