@@ -70,7 +70,7 @@ K_FN real ggx_useful_eigenvalue(v3 i, real cx, real cy, real r) {
 }
 
 K_FN ggx_useful ggx_useful_of(ggx_base g) {
-    v3 i = v3_select(g.valid, g.i_std, v3_of(R(0.0), R(0.0), R(1.0)));
+    v3 i = v3_select(k_is(g.valid), g.i_std, v3_of(R(0.0), R(0.0), R(1.0)));
     ggx_useful s;
     s.i = i;
     s.c = k_max(i.z, R(0.0));

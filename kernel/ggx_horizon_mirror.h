@@ -1,0 +1,54 @@
+/* kernel/ggx_horizon_mirror.h: exactly uniform over the useful normals: the density of the reflections
+ * is that of the visible normals divided by the share of them that leaves, a constant times D.
+ *
+ * A uniform point y of the ellipse's disk; the density 1 + h, h = (k.y)/z odd in y, is made by taking
+ * -y with the probability (1 - h)/2. That choice takes the third number, and it makes the map
+ * discontinuous: `horizon_exact` draws the same density without it. */
+#ifndef K_GGX_HORIZON_MIRROR_H
+#define K_GGX_HORIZON_MIRROR_H
+
+#include "ggx_horizon_point.h"
+
+K_STRUCT(ggx_horizon_mirror) {
+    ggx_horizon_set set;
+};
+
+K_FN ggx_horizon_mirror ggx_horizon_mirror_prepare(ggx_base g) {
+    ggx_horizon_mirror s;
+    s.set = ggx_horizon_set_of(g, ggx_useful_of(g));
+    return s;
+}
+
+K_FN real ggx_horizon_mirror_pdf(ggx_horizon_mirror s, facet_pair pair) {
+    return ggx_horizon_density(s.set, pair, R(1.0) / s.set.f.nu);
+}
+
+K_FN real ggx_horizon_mirror_pdf_m(ggx_horizon_mirror s, facet_pair pair) {
+    return ggx_horizon_density_m(pair, ggx_horizon_mirror_pdf(s, pair));
+}
+
+K_FN real ggx_horizon_mirror_acceptance(ggx_horizon_mirror s) {
+    return ggx_horizon_set_acceptance(s.set);
+}
+
+K_FN facet_draw ggx_horizon_mirror_draw(ggx_horizon_mirror s, real u1, real u2, real u3) {
+    ggx_horizon_frame f = s.set.f;
+    ggx_horizon_angle e = ggx_horizon_turned(f, u1);
+    real v = R(1.0) - u2;
+    real k_y = k_sqrt(u2) * (f.k1 * e.c + f.k2 * e.s);
+    real z = ggx_horizon_z(f, v, u2, e);
+    real side = k_select(R(2.0) * u3 * z < z + k_y, R(1.0), R(-1.0));
+    e.c = side * e.c;
+    e.s = side * e.s;
+    ggx_horizon_arrival to = ggx_horizon_arrive(s.set, v, u2, e);
+    return ggx_horizon_draw_of(s.set, to.pair, R(1.0) / f.nu);
+}
+
+/* Worst errors of a draw in float, 4 10^6 random inputs (tools/numerics/sampler_error.c: roughness
+ * 0.01 to 2, u2 up to 0.98, either side).
+ * wo:  1.5e-05 at wi (-0x1.c4e35cp-3, -0x1.ec6ff4p-4, -0x1.ef8404p-1),
+ *      alpha (0x1.64fa66p-7, 0x1.64fa66p-7) u (0x1.b8e942p-1, 0x1.e1101p-1)
+ * pdf: 2.1e-06 relative at wi (0x1.d1920cp-2, -0x1.28606p-1, 0x1.5a93dep-1),
+ *      alpha (0x1.6c466ep-6, 0x1.6c466ep-6) u (0x1.2df45p-1, 0x1.f1ff18p-1) */
+
+#endif

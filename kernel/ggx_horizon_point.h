@@ -1,0 +1,153 @@
+/* kernel/ggx_horizon_point.h: what the four horizon samplers share: the useful normals of a base, and
+ * the way between a point of their ellipse and the pair of directions that belongs to it.
+ *
+ * A point is (v, s, e): s = |y|^2 = 1 - v, e = y/|y|. With p_y the density in dy/pi,
+ *     p(o) = D(m)/(4 L_i a b) * spread,   spread = p_y z/(m.i_std),   L_i = t_i = |A i|,
+ *     o_z = t_i L v/|A m|^2   (i_z > 0),
+ * positive by construction. spread = 1/nu where p_y is the exact density 1 + (k.y)/z.
+ *
+ * m.i and m_z of the stretched normal vanish at the rim of what is seen, each as a difference. Their
+ * product does not: 2 (m.i) m_z = L v + c |A m|^2. The smaller one is taken from it. */
+#ifndef K_GGX_HORIZON_POINT_H
+#define K_GGX_HORIZON_POINT_H
+
+#include "ggx_horizon_frame.h"
+
+K_STRUCT(ggx_horizon_set) {
+    ggx_base g;
+    ggx_horizon_frame f;
+    kint front;     /* i_z > 0 */
+    real c;         /* max(i_std.z, 0) */
+    real rise;      /* t_i L */
+    real pdf_scale; /* p = pdf_scale D spread */
+    real share;     /* weight = share G2/G1(i) / spread */
+};
+
+K_FN ggx_horizon_set ggx_horizon_set_of(ggx_base g, ggx_useful u) {
+    ggx_horizon_set s;
+    s.g = g;
+    s.f = ggx_horizon_frame_of(u);
+    s.front = k_flag(u.i.z > R(0.0));
+    s.c = u.c;
+    s.rise = g.t_i * s.f.lambda;
+    real four_t_ab = R(4.0) * g.t_i * s.f.a * s.f.b;
+    s.pdf_scale = g.density_bias / four_t_ab;
+    s.share = four_t_ab * g.value_scale / g.density_bias;
+    return s;
+}
+
+/* With no second plane every draw leaves; with one there is no closed form. */
+K_FN real ggx_horizon_set_acceptance(ggx_horizon_set s) {
+    return k_select(k_is(s.g.tilted), R(-1.0), R(1.0));
+}
+
+/* z^2 = v + g1 y1^2 + g2 y2^2 */
+K_FN real ggx_horizon_z(ggx_horizon_frame f, real v, real s, ggx_horizon_angle e) {
+    return k_sqrt(v + s * (f.g1 * e.c * e.c + f.g2 * e.s * e.s));
+}
+
+/* What z^2 - (k.y)^2 has besides v, for one direction of y: g less k^2, nothing from behind. */
+K_FN real ggx_horizon_slack(ggx_horizon_set s, real g, real k2) {
+    return k_select(k_is(s.front), k_max(g - k2, R(0.0)), R(0.0));
+}
+
+/* p_y z/(m.i_std), held where it overflows; a draw and its density hold it alike */
+K_FN real ggx_horizon_spread(real p_y, real z, real im) {
+    return p_y * z / k_max(im, R(1e-7) * z);
+}
+
+/* Where a point of the ellipse leads. */
+K_STRUCT(ggx_horizon_arrival) {
+    facet_pair pair;
+    real z;
+    real im; /* i_std . m, m stretched */
+};
+
+/* v in (0, 1], s = 1 - v, e of length 1. */
+K_FN ggx_horizon_arrival ggx_horizon_arrive(ggx_horizon_set s, real v, real rest,
+                                            ggx_horizon_angle e) {
+    ggx_base g = s.g;
+    ggx_horizon_frame f = s.f;
+    real radius = k_sqrt(rest);
+    real y1 = radius * e.c;
+    real y2 = radius * e.s;
+    real z = ggx_horizon_z(f, v, rest, e);
+    v3 h = v3_combine(f.e1, f.a * y1, f.e2, f.b * y2, f.n, z);
+    real im = f.nu * (z + f.k1 * y1 + f.k2 * y2);
+    v3 am = ggx_stretch(h, g.ax, g.ay);
+    real product = R(0.5) * (f.lambda * v + s.c * v3_dot(am, am));
+    real larger = k_max(k_max(h.z, im), K_TINY);
+    real smaller = product / larger;
+    am.z = k_select(h.z < R(0.25) * larger, smaller, h.z);
+    im = k_select(im < R(0.25) * larger, smaller, im);
+    real am2 = v3_dot(am, am);
+    real inv = R(1.0) / k_sqrt(am2);
+
+    ggx_horizon_arrival to;
+    to.z = z;
+    to.im = im;
+    to.pair.m = v3_scale(am, inv);
+    to.pair.cos_im = g.t_i * im * inv;
+    to.pair.d = ggx_d_stretched(g, am2);
+    /* by the m that came out, not by the formula: that keeps wo a unit vector to the last digits;
+     * near the horizon, where it cancels, by what is left of v */
+    v3 wo = v3_sub(v3_scale(to.pair.m, R(2.0) * v3_dot(g.wi, to.pair.m)), g.wi);
+    wo.z = k_select(k_and(k_is(s.front), wo.z < R(0.0625)), s.rise * v * inv * inv, wo.z);
+    to.pair.wo = wo;
+    to.pair.leaves = facet_leaves(wo, g.plane);
+    return to;
+}
+
+/* D cancels from the weight: it is made of the shadowing and the spread alone. */
+K_FN facet_draw ggx_horizon_draw_of(ggx_horizon_set s, facet_pair pair, real spread) {
+    real pdf = s.pdf_scale * pair.d * spread;
+    real weight = s.share * ggx_shadowing(s.g, pair.wo) / spread;
+    return ggx_weighted_draw(s.g, pair, R(4.0) * pair.cos_im * pdf, pdf, weight);
+}
+
+/* Where a pair comes from; without meaning where nothing is drawn. */
+K_STRUCT(ggx_horizon_point) {
+    real v;
+    real rest; /* 1 - v */
+    ggx_horizon_angle e;
+    real z;
+    real im;
+};
+
+K_FN bool ggx_horizon_holds(facet_pair pair) {
+    return k_and(pair.wo.z > R(0.0), k_and(pair.m.z > R(0.0), pair.cos_im > R(0.0)));
+}
+
+K_FN ggx_horizon_point ggx_horizon_point_of(ggx_horizon_set s, facet_pair pair) {
+    ggx_horizon_frame f = s.f;
+    v3 w = v3_of(pair.m.x * s.g.inv_ax, pair.m.y * s.g.inv_ay, pair.m.z);
+    real am2 = R(1.0) / k_max(v3_dot(w, w), K_TINY);
+    real am = k_sqrt(am2);
+    ggx_horizon_point p;
+    p.im = pair.cos_im * am / s.g.t_i;
+    real from_wo = pair.wo.z * am2 / s.rise;
+    real from_m = R(2.0) * p.im * pair.m.z * am / f.lambda;
+    /* not 0: it is divided by, and cubed */
+    p.v = k_min(k_max(k_select(k_is(s.front), from_wo, from_m), R(1e-5) * K_EPS), R(1.0));
+    p.rest = R(1.0) - p.v;
+    real y1 = f.b * v3_dot(w, f.e1);
+    real y2 = f.a * v3_dot(w, f.e2);
+    real y2sum = y1 * y1 + y2 * y2;
+    real inv = R(1.0) / k_sqrt(k_max(y2sum, K_TINY));
+    bool off_centre = y2sum > K_TINY;
+    p.e.c = k_select(off_centre, y1 * inv, R(1.0));
+    p.e.s = k_select(off_centre, y2 * inv, R(0.0));
+    p.z = ggx_horizon_z(f, p.v, p.rest, p.e);
+    return p;
+}
+
+K_FN real ggx_horizon_density(ggx_horizon_set s, facet_pair pair, real spread) {
+    return k_select(ggx_horizon_holds(pair), s.pdf_scale * pair.d * spread, R(0.0));
+}
+
+/* from the density over directions to that over the sphere of normals */
+K_FN real ggx_horizon_density_m(facet_pair pair, real pdf) {
+    return R(4.0) * k_max(pair.cos_im, R(0.0)) * pdf;
+}
+
+#endif

@@ -1,0 +1,82 @@
+/* kernel/ggx_horizon_uniform.h: uniform over the useful normals within half a per cent, in closed form
+ * and continuous: a shift of the angle (kernel/ggx_horizon_shift.h) stands for the odd part
+ * h = (k.y)/z of the density. Along k it is h exactly, and everywhere for roughness 1 or at i_z = 0. */
+#ifndef K_GGX_HORIZON_UNIFORM_H
+#define K_GGX_HORIZON_UNIFORM_H
+
+#include "ggx_horizon_point.h"
+#include "ggx_horizon_shift.h"
+
+/* |d|^2 at most: the density nowhere falls below (1 - |d|)/(1 + |d|) of its other end. */
+#define GGX_HORIZON_UNIFORM_LIMIT R(0.98)
+
+K_STRUCT(ggx_horizon_uniform) {
+    ggx_horizon_set set;
+    real squeeze; /* of z^2 along k: (k1^2 g1 + k2^2 g2)/|k|^2 */
+    real slack;   /* squeeze - |k|^2 */
+    real limit;   /* of s/z^2 */
+};
+
+K_FN ggx_horizon_uniform ggx_horizon_uniform_prepare(ggx_base g) {
+    ggx_horizon_uniform s;
+    s.set = ggx_horizon_set_of(g, ggx_useful_of(g));
+    ggx_horizon_frame f = s.set.f;
+    real k1 = f.k1 * f.k1;
+    real k2 = f.k2 * f.k2;
+    real inv = R(1.0) / k_max(k1 + k2, K_TINY);
+    s.squeeze = (k1 * f.g1 + k2 * f.g2) * inv;
+    s.slack = ggx_horizon_slack(s.set, s.squeeze, k1 + k2);
+    s.limit = GGX_HORIZON_UNIFORM_LIMIT * inv;
+    return s;
+}
+
+/* d = k sqrt(s/(v + s squeeze)), shortened to the limit */
+K_FN ggx_horizon_shift ggx_horizon_uniform_shift(ggx_horizon_uniform s, real v, real rest) {
+    real inv = R(1.0) / (v + rest * s.squeeze);
+    real reach = k_sqrt(k_min(rest * inv, s.limit));
+    ggx_horizon_shift d;
+    d.d1 = s.set.f.k1 * reach;
+    d.d2 = s.set.f.k2 * reach;
+    d.room = k_max((v + rest * s.slack) * inv, R(1.0) - GGX_HORIZON_UNIFORM_LIMIT);
+    return d;
+}
+
+K_FN real ggx_horizon_uniform_pdf(ggx_horizon_uniform s, facet_pair pair) {
+    ggx_horizon_point p = ggx_horizon_point_of(s.set, pair);
+    ggx_horizon_shift d = ggx_horizon_uniform_shift(s, p.v, p.rest);
+    real p_y = ggx_horizon_shift_density(d, p.e.c, p.e.s);
+    return ggx_horizon_density(s.set, pair, ggx_horizon_spread(p_y, p.z, p.im));
+}
+
+K_FN real ggx_horizon_uniform_pdf_m(ggx_horizon_uniform s, facet_pair pair) {
+    return ggx_horizon_density_m(pair, ggx_horizon_uniform_pdf(s, pair));
+}
+
+K_FN real ggx_horizon_uniform_acceptance(ggx_horizon_uniform s) {
+    return ggx_horizon_set_acceptance(s.set);
+}
+
+K_FN facet_draw ggx_horizon_uniform_draw(ggx_horizon_uniform s, real u1, real u2, real u3) {
+    ggx_horizon_angle e0 = ggx_horizon_turned(s.set.f, u1);
+    real v = R(1.0) - u2;
+    ggx_horizon_shift d = ggx_horizon_uniform_shift(s, v, u2);
+    real f1 = e0.c + d.d1;
+    real f2 = e0.s + d.d2;
+    real inv = R(1.0) / k_sqrt(f1 * f1 + f2 * f2);
+    ggx_horizon_angle e;
+    e.c = f1 * inv;
+    e.s = f2 * inv;
+    real p_y = ggx_horizon_shift_density(d, e.c, e.s);
+    ggx_horizon_arrival to = ggx_horizon_arrive(s.set, v, u2, e);
+    return ggx_horizon_draw_of(s.set, to.pair, ggx_horizon_spread(p_y, to.z, to.im));
+}
+
+/* Worst errors of a draw in float, 4 10^6 random inputs (tools/numerics/sampler_error.c: roughness
+ * 0.01 to 2, u2 up to 0.98, either side). The density is
+ * worst from behind where i.m -> 0: it is divided by that.
+ * wo:  0.00013 at wi (0x1.e00ea4p-6, 0x1.725deep-1, -0x1.61322p-1),
+ *      alpha (0x1.c3014ap-3, 0x1.db0e0cp-7) u (0x1.5fa188p-2, 0x1.eca4d2p-1)
+ * pdf: 0.00022 relative at wi (0x1.3511ecp-4, 0x1.d9c9a6p-4, -0x1.fb17fcp-1),
+ *      alpha (0x1.cceec8p-7, 0x1.cceec8p-7) u (0x1.48efp-1, 0x1.e95ffp-1) */
+
+#endif
