@@ -32,6 +32,16 @@ static bool read_alpha(const lobe_app_option *option, const char *text, void *va
     return false;
 }
 
+bool lobe_app_read_floor(const lobe_app_option *option, const char *text, void *value) {
+    double floor;
+    if (lobe_app_read_numbers(text, 1, 1, &floor) && floor >= 0 && floor <= 1) {
+        *(double *)value = floor;
+        return true;
+    }
+    lobe_app_report(option->name, "give a number in [0, 1]", "'%.60s' is no share", text);
+    return false;
+}
+
 bool lobe_app_read_direction(const lobe_app_option *option, const char *text, void *value) {
     double v[3];
     if (lobe_app_read_numbers(text, 3, 3, v)) {
@@ -62,6 +72,8 @@ const lobe_app_option lobe_app_model_options[] = {
      "direction toward the viewer in the shading frame, of any length; may "
      "lie below the surface; required",
      lobe_app_read_direction, MEMBER(wi), NULL},
+    {"--floor", "D", "0.25", "method horizon: how much of the density ignores shadowing, in [0, 1]",
+     lobe_app_read_floor, MEMBER(floor), NULL},
     {"--geometric-normal", "X,Y,Z", "none",
      "normal of the geometric surface in the shading frame, of any length; directions below it are "
      "invalid too",
@@ -82,6 +94,7 @@ lobe_app_model_values lobe_app_default_model(void) {
     return (lobe_app_model_values){.method = LOBE_METHOD_COUNT,
                                    .g2 = (int)options.g2,
                                    .normalization = (int)options.normalization,
+                                   .floor = options.floor,
                                    .plane = {0, 0, 1}};
 }
 
@@ -108,6 +121,13 @@ lobe_app_status lobe_app_choose_model(int ndf, int masking, int method, lobe_mod
     return lobe_app_reject("--method", hint, "%s does not exist for --ndf %s --masking %s",
                            lobe_method_name(model->method), lobe_ndf_name(model->ndf),
                            lobe_masking_name(model->masking));
+}
+
+lobe_app_status lobe_app_check_floor(const lobe_app_arguments *arguments, lobe_model model) {
+    if (!lobe_app_is_given(arguments, "--floor") || model.method == LOBE_METHOD_HORIZON)
+        return LOBE_APP_DONE;
+    return lobe_app_reject("--floor", "it goes with --method horizon", "%s has no floor",
+                           lobe_method_name(model.method));
 }
 
 /* ---- Model ----------------------------------------------------------------------------------- */
@@ -142,10 +162,12 @@ lobe_app_status lobe_app_prepare(const lobe_app_model_values *values,
         return lobe_app_reject("--wi", "give the direction toward the viewer, as in --wi 0.6,0,0.8",
                                "missing");
     lobe_reflection_options options = lobe_reflection_default_options();
-    const lobe_app_status status =
+    lobe_app_status status =
         lobe_app_choose_model(values->ndf, values->masking, values->method, &options.model);
     if (status != LOBE_APP_DONE) return status;
+    if ((status = lobe_app_check_floor(arguments, options.model))) return status;
     options.g2 = (lobe_g2)values->g2;
+    options.floor = values->floor;
     options.normalization = (lobe_normalization)values->normalization;
     model->precision = (lobe_app_precision)values->precision;
     model->fresnel = values->fresnel;

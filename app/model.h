@@ -16,7 +16,7 @@ typedef enum lobe_app_precision { LOBE_APP_F32, LOBE_APP_F64 } lobe_app_precisio
 typedef struct lobe_app_model_values {
     int ndf, masking, precision;
     int method, g2, normalization; /* lobe_method (_COUNT: the best), lobe_g2, lobe_normalization */
-    double alpha[2];
+    double alpha[2], floor;
     lobe_vec3_f64 wi;    /* of unit length */
     lobe_vec3_f64 plane; /* geometric normal, of unit length */
     lobe_app_fresnel fresnel;
@@ -32,6 +32,9 @@ lobe_app_model_values lobe_app_default_model(void);
 /* The row of the list of models; reports a combination that does not exist, and which ones do.
  * method LOBE_METHOD_COUNT: the best. */
 lobe_app_status lobe_app_choose_model(int ndf, int masking, int method, lobe_model *model);
+
+/* Bad usage if a floor is given for a method that has none. */
+lobe_app_status lobe_app_check_floor(const lobe_app_arguments *arguments, lobe_model model);
 
 /* The model, ready to draw from; reports what is missing or out of range. */
 typedef struct lobe_app_model {
@@ -58,5 +61,6 @@ void lobe_app_random(const lobe_app_model *model, uint64_t seed, uint64_t row, d
 bool lobe_app_normalize(lobe_app_precision precision, lobe_vec3_f64 *v);
 
 lobe_app_reader lobe_app_read_direction; /* value: lobe_vec3_f64 of unit length */
+lobe_app_reader lobe_app_read_floor;     /* value: double in [0, 1] */
 
 #endif

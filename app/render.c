@@ -26,7 +26,7 @@ typedef struct picture_size {
 typedef struct render_values {
     const char *out, *environment, *camera, *reference;
     uint64_t spp, depth, seed, threads;
-    double time_limit, exposure, rotation, material[5];
+    double time_limit, exposure, rotation, material[5], floor;
     picture_size size;
     uint32_t aovs;
     lobe_model model; /* of ndf, masking and method */
@@ -119,6 +119,8 @@ static const lobe_app_option method_options[] = {
      lobe_app_maskings},
     {"--method", "NAME", "the best for the model", "how to sample reflection", lobe_app_read_choice,
      AT(method), lobe_app_methods},
+    {"--floor", "D", "0.1", "method horizon: how much of the density ignores shadowing, in [0, 1]",
+     lobe_app_read_floor, AT(floor), NULL},
     {"--g2", "NAME", "correlated", "masking and shadowing", lobe_app_read_choice, AT(g2),
      lobe_app_g2s},
     {"--normalization", "NAME", "unbiased", "of the densities behind a shading normal",
@@ -140,6 +142,7 @@ static render_values default_values(void) {
                            .depth = (uint64_t)r.depth,
                            .size = {r.width, r.height},
                            .method = LOBE_METHOD_COUNT,
+                           .floor = r.reflection.floor,
                            .heuristic = (int)r.heuristic,
                            .material = {0.8, 0.8, 0.8, 0, 0.5}};
 }
@@ -182,6 +185,7 @@ static void show_progress(void *user, const lobe_render_progress *p) {
 static lobe_render_options render_options(const render_values *v, render_run *run) {
     lobe_render_options r = lobe_render_default_options();
     r.reflection.model = v->model;
+    r.reflection.floor = v->floor;
     r.reflection.g2 = (lobe_g2)v->g2;
     r.reflection.normalization = (lobe_normalization)v->normalization;
     r.width = v->size.width;
@@ -382,7 +386,7 @@ lobe_app_status lobe_app_render(int argc, char **argv) {
     if (status || arguments.is_answered) return status;
     if (values.list_scenes) return list_scenes(values.json);
     status = lobe_app_choose_model(values.ndf, values.masking, values.method, &values.model);
-    if (status) return status;
+    if (status || (status = lobe_app_check_floor(&arguments, values.model))) return status;
     if ((status = check(&values, &arguments))) return status;
     return render(&values, arguments.operand);
 }

@@ -101,6 +101,7 @@ K_FN facet_draw ggx_horizon_exact_draw(ggx_horizon_exact s, real u1, real u2, re
     real ahead =
         k_angle(theta.c * d2 - theta.s * d1, k_max(R(1.0) + theta.c * d1 + theta.s * d2, R(0.0)));
     ggx_horizon_circle at = ggx_horizon_circle_of(f, v, u2);
+    K_UNROLL
     for (int step = 0; step < GGX_HORIZON_EXACT_STEPS; ++step)
         ahead = ggx_horizon_exact_step(at, theta, ahead);
     ggx_horizon_arrival to = ggx_horizon_arrive(s.set, v, u2, ggx_horizon_ahead(theta, ahead));

@@ -6,8 +6,6 @@
 #define TARGET_AVX512
 #include "target.h"
 
-#define K_FN static inline __attribute__((always_inline))
-
 #include "../kernel/bind/c_f32.h"
 
 #define BATCH_TABLE lobe_batch_avx512_f32

@@ -6,8 +6,6 @@
 #define TARGET_NEON
 #include "target.h"
 
-#define K_FN static inline __attribute__((always_inline))
-
 #include "../kernel/bind/c_f64.h"
 
 #define BATCH_TABLE lobe_batch_neon_f64

@@ -6,8 +6,6 @@
 #define TARGET_SCALAR
 #include "target.h"
 
-#define K_FN static inline __attribute__((always_inline))
-
 #include "../kernel/bind/c_f32.h"
 
 #define BATCH_TABLE lobe_batch_scalar_f32

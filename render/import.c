@@ -1,4 +1,5 @@
-/* Files through Assimp: meshes, materials, textures, cameras, baked into world space. */
+/* Files: glTF by its own importer, all others through Assimp: meshes, materials, textures, cameras, baked
+ * into world space. */
 #include <assimp/cimport.h>
 #include <assimp/material.h>
 #include <assimp/postprocess.h>
@@ -6,7 +7,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "gltf_check.h"
 #include "image.h"
 #include "import_camera.h"
 #include "import_texture.h"
@@ -19,7 +19,6 @@ typedef struct importer {
     const struct aiScene *file;
     const lobe_scene_options *options;
     const char *path;
-    int is_gltf;
     uint32_t first_material;
     texture_reader textures;
 } importer;
@@ -53,18 +52,8 @@ static vec3 clamp_color(vec3 c) {
     return v3(clampf(c.x, 0.0f, 1.0f), clampf(c.y, 0.0f, 1.0f), clampf(c.z, 0.0f, 1.0f));
 }
 
-/* What a file without materials gets, from the options. */
-static material fallback_material(const lobe_scene_options *o) {
-    material m = lobe_default_material();
-    m.base_color = v3(o->default_base_color[0], o->default_base_color[1], o->default_base_color[2]);
-    m.metallic = o->default_metallic;
-    m.roughness = o->default_roughness;
-    return m;
-}
-
-/* The material that the importer puts where the file names none: in glTF one more, after the file's. */
+/* The material that the importer puts where the file names none. */
 static int is_fallback(const importer *k, unsigned index) {
-    if (k->is_gltf) return index + 1 == k->file->mNumMaterials;
     struct aiString name;
     return aiGetMaterialString(k->file->mMaterials[index], AI_MATKEY_NAME, &name) ==
                aiReturn_SUCCESS &&
@@ -73,7 +62,7 @@ static int is_fallback(const importer *k, unsigned index) {
 
 static material read_material(importer *k, unsigned index) {
     const struct aiMaterial *from = k->file->mMaterials[index];
-    material m = fallback_material(k->options);
+    material m = lobe_fallback_material(k->options);
     if (is_fallback(k, index)) return m;
     vec3 diffuse = read_color(from, "$clr.diffuse", m.base_color);
     m.base_color = clamp_color(read_color(from, "$clr.base", diffuse));
@@ -82,13 +71,13 @@ static material read_material(importer *k, unsigned index) {
     m.anisotropy = clampf(read_float(from, MATKEY_ANISOTROPY, 0.0f), -0.99f, 0.99f);
     vec3 emission = read_color(from, "$clr.emissive", v3_all(0.0f));
     m.emission = v3_scale(emission, fmaxf(read_float(from, "$mat.emissiveIntensity", 1.0f), 0.0f));
-    m.base_texture = read_texture_of(k, from, aiTextureType_BASE_COLOR, 1);
-    if (m.base_texture == NO_TEXTURE)
-        m.base_texture = read_texture_of(k, from, aiTextureType_DIFFUSE, 1);
-    m.normal_texture = read_texture_of(k, from, aiTextureType_NORMALS, 0);
-    m.surface_texture = read_texture_of(k, from, aiTextureType_METALNESS, 0);
+    m.base_map.texture = read_texture_of(k, from, aiTextureType_BASE_COLOR, 1);
+    if (m.base_map.texture == NO_TEXTURE)
+        m.base_map.texture = read_texture_of(k, from, aiTextureType_DIFFUSE, 1);
+    m.normal_map.texture = read_texture_of(k, from, aiTextureType_NORMALS, 0);
+    m.surface_map.texture = read_texture_of(k, from, aiTextureType_METALNESS, 0);
     if (v3_max(m.emission) > 0.0f)
-        m.emission_texture = read_texture_of(k, from, aiTextureType_EMISSIVE, 1);
+        m.emission_map.texture = read_texture_of(k, from, aiTextureType_EMISSIVE, 1);
     return m;
 }
 
@@ -134,7 +123,7 @@ static void read_scene(importer *k) {
     for (unsigned i = 0; i < k->file->mNumMaterials; i++)
         lobe_scene_add_material(k->scene, read_material(k, i));
     if (k->file->mNumMaterials == 0)
-        lobe_scene_add_material(k->scene, fallback_material(k->options));
+        lobe_scene_add_material(k->scene, lobe_fallback_material(k->options));
     for (unsigned i = 0; i < k->file->mNumMeshes; i++) read_mesh(k, k->file->mMeshes[i]);
     uint64_t dropped = k->scene->info.dropped_triangles;
     if (dropped)
@@ -152,17 +141,18 @@ lobe_render_result lobe_scene_import(lobe_scene *s, const char *path,
                          "%s: no such file and no built-in scene; list the built-in ones to see "
                          "their names",
                          path);
+    char magic[4] = "";
+    const int is_glb = fread(magic, 1, 4, file) == 4 && memcmp(magic, "glTF", 4) == 0;
     fclose(file);
-    lobe_render_result result = lobe_gltf_check(path);
-    if (result != LOBE_RENDER_OK) return result;
+    if (is_glb || lobe_path_ends(path, ".gltf") || lobe_path_ends(path, ".glb"))
+        return lobe_scene_import_gltf(s, path, options);
     const unsigned steps = aiProcess_Triangulate | aiProcess_GenSmoothNormals |
                            aiProcess_CalcTangentSpace | aiProcess_PreTransformVertices |
                            aiProcess_SortByPType;
     importer k = {.scene = s, .options = options, .path = path};
-    k.is_gltf = lobe_path_ends(path, ".gltf") || lobe_path_ends(path, ".glb");
     k.file = aiImportFile(path, aiProcess_ValidateDataStructure);
     if (k.file) {
-        lobe_import_cameras(s, k.file, k.is_gltf);
+        lobe_import_cameras(s, k.file);
         k.file = aiApplyPostProcessing(k.file, steps);
     }
     if (!k.file) {

@@ -25,26 +25,22 @@ static vec3 transform(const struct aiMatrix4x4 *m, struct aiVector3D v) {
     return v3(v.x, v.y, v.z);
 }
 
-static float vertical_angle(const struct aiCamera *c, int is_gltf) {
-    /* Assimp's glTF importer multiplies the vertical angle by the aspect, if there is one. */
-    if (is_gltf) return c->mAspect > 0.0f ? c->mHorizontalFOV / c->mAspect : c->mHorizontalFOV;
+static float vertical_angle(const struct aiCamera *c) {
     const float aspect = c->mAspect > 0.0f ? c->mAspect : 16.0f / 9.0f;
     return 2.0f * atanf(tanf(0.5f * c->mHorizontalFOV) / aspect);
 }
 
-static void import_camera(lobe_scene *s, const struct aiScene *file, const struct aiCamera *c,
-                          int is_gltf) {
+static void import_camera(lobe_scene *s, const struct aiScene *file, const struct aiCamera *c) {
     struct aiMatrix4x4 to_world;
     aiIdentityMatrix4(&to_world);
     find_node(file->mRootNode, c->mName.data, &to_world);
-    /* It copies the node's translation into the camera, where it would count twice. */
-    const struct aiVector3D origin = {0.0f, 0.0f, 0.0f}, place = is_gltf ? origin : c->mPosition;
+    const struct aiVector3D place = c->mPosition;
     const struct aiVector3D ahead = {place.x + c->mLookAt.x, place.y + c->mLookAt.y,
                                      place.z + c->mLookAt.z};
     const struct aiVector3D above = {place.x + c->mUp.x, place.y + c->mUp.y, place.z + c->mUp.z};
     const vec3 position = transform(&to_world, place), target = transform(&to_world, ahead);
     const vec3 up = v3_sub(transform(&to_world, above), position);
-    const float degrees = vertical_angle(c, is_gltf) * (180.0f / LOBE_PI);
+    const float degrees = vertical_angle(c) * (180.0f / LOBE_PI);
     const int is_usable = v3_is_finite(position) && v3_is_finite(target) && v3_is_finite(up) &&
                           degrees > 0.1f && degrees < 179.0f;
     if (is_usable)
@@ -56,7 +52,6 @@ static void import_camera(lobe_scene *s, const struct aiScene *file, const struc
                   s->name, c->mName.data);
 }
 
-void lobe_import_cameras(lobe_scene *s, const struct aiScene *file, int is_gltf) {
-    for (unsigned i = 0; i < file->mNumCameras; i++)
-        import_camera(s, file, file->mCameras[i], is_gltf);
+void lobe_import_cameras(lobe_scene *s, const struct aiScene *file) {
+    for (unsigned i = 0; i < file->mNumCameras; i++) import_camera(s, file, file->mCameras[i]);
 }

@@ -6,8 +6,7 @@
 
 struct aiScene;
 
-/* To be called while the file still has its nodes: baking them renames the cameras, and moves those
- * of glTF twice. */
-void lobe_import_cameras(lobe_scene *s, const struct aiScene *file, int is_gltf);
+/* To be called while the file still has its nodes: baking them renames the cameras. */
+void lobe_import_cameras(lobe_scene *s, const struct aiScene *file);
 
 #endif

@@ -17,7 +17,7 @@ static int read_embedded(const struct aiTexture *embedded, texture *t, int is_sr
         rgb[3 * i + 1] = embedded->pcData[i].g;
         rgb[3 * i + 2] = embedded->pcData[i].b;
     }
-    *t = (texture){(int)embedded->mWidth, (int)embedded->mHeight, is_srgb, rgb};
+    *t = (texture){(int)embedded->mWidth, (int)embedded->mHeight, 3, is_srgb, rgb};
     return 1;
 }
 
@@ -56,8 +56,7 @@ static void decode_percent(char *text) {
     *to = 0;
 }
 
-/* A texture beside the scene's file, by its name as it stands or as a URI. */
-static int read_beside(const char *scene_path, const char *name, texture *t, int is_srgb) {
+int lobe_import_texture_beside(const char *scene_path, const char *name, texture *t, int is_srgb) {
     char path[PATH_MAX];
     const char *slash = strrchr(scene_path, '/');
     const int folder = slash && name[0] != '/' ? (int)(slash - scene_path) + 1 : 0;
@@ -71,16 +70,26 @@ static int read_beside(const char *scene_path, const char *name, texture *t, int
     return lobe_texture_read_file(t, path, is_srgb);
 }
 
+void lobe_import_missing_texture(lobe_scene *s, const char *path, const char *name) {
+    s->info.missing_textures++;
+    lobe_warn(&s->warnings, "%s: texture %s is missing or unreadable; it is shown in magenta", path,
+              name);
+}
+
+int lobe_import_magenta(lobe_scene *s, int is_srgb) {
+    texture t;
+    if (!is_srgb || !lobe_texture_solid(&t, v3(1.0f, 0.0f, 1.0f), 1)) return NO_TEXTURE;
+    return lobe_scene_add_texture(s, t);
+}
+
 static int read_new(texture_reader *r, const char *name, int is_srgb) {
     const struct aiTexture *embedded = find_embedded(r->file, name);
     texture t;
-    if (embedded ? read_embedded(embedded, &t, is_srgb) : read_beside(r->path, name, &t, is_srgb))
+    if (embedded ? read_embedded(embedded, &t, is_srgb)
+                 : lobe_import_texture_beside(r->path, name, &t, is_srgb))
         return lobe_scene_add_texture(r->scene, t);
-    r->scene->info.missing_textures++;
-    lobe_warn(&r->scene->warnings,
-              "%s: texture %s is missing or unreadable; it is shown in magenta", r->path, name);
-    if (!is_srgb || !lobe_texture_solid(&t, v3(1.0f, 0.0f, 1.0f), 1)) return NO_TEXTURE;
-    return lobe_scene_add_texture(r->scene, t);
+    lobe_import_missing_texture(r->scene, r->path, name);
+    return lobe_import_magenta(r->scene, is_srgb);
 }
 
 /* Without memory for the note the texture is read again, which is slow and not wrong. */

@@ -20,6 +20,15 @@ typedef struct texture_reader {
     size_t count;
 } texture_reader;
 
+/* A texture beside the scene's file, by its name as it stands or as a URI. 0: unusable. */
+int lobe_import_texture_beside(const char *scene_path, const char *name, texture *t, int is_srgb);
+
+/* One more texture is missing: the warning. */
+void lobe_import_missing_texture(lobe_scene *s, const char *path, const char *name);
+
+/* What stands in for it: magenta for a colour, else NO_TEXTURE. */
+int lobe_import_magenta(lobe_scene *s, int is_srgb);
+
 /* Index in the scene of the texture called `name`, or NO_TEXTURE. A missing one gets one warning; in
  * place of a colour it is magenta. */
 int lobe_import_texture(texture_reader *r, const char *name, int is_srgb);

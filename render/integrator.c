@@ -7,7 +7,9 @@ typedef struct hit_point {
     float distance;
     const triangle *triangle;
     const material *material;
-    float u, v;
+    float u[2], v[2];
+    float turn;     /* -1: the tangent frame is left-handed */
+    vec3 darkening; /* of the base colour, by the colours of the vertices */
     vec3 emission;
 } hit_point;
 
@@ -22,20 +24,52 @@ typedef struct path {
     uint64_t rays;
 } path;
 
-static vec3 sample_texture(const lobe_scene *s, int index, const hit_point *h, vec3 missing) {
-    return index == NO_TEXTURE ? missing : lobe_texture_at(&s->textures[index], h->u, h->v);
+static vec3 sample_map(const lobe_scene *s, const texture_map *map, const hit_point *h,
+                       vec3 missing) {
+    if (map->texture == NO_TEXTURE) return missing;
+    return lobe_texture_at(&s->textures[map->texture], map, h->u[map->uv_set], h->v[map->uv_set]);
 }
 
 static vec3 interpolate(const vec3 a, const vec3 b, const vec3 c, float u, float v) {
     return v3_add(v3_scale(a, 1.0f - u - v), v3_add(v3_scale(b, u), v3_scale(c, v)));
 }
 
+/* What the colours of the vertices take away. */
+static vec3 darkening_of(const vertex *v) {
+    return v3(v->darkening[0] / 65535.0f, v->darkening[1] / 65535.0f, v->darkening[2] / 65535.0f);
+}
+
+static vec3 base_color_at(const lobe_scene *s, const hit_point *h) {
+    const vec3 color = v3_mul(h->material->base_color, v3_sub(v3_all(1.0f), h->darkening));
+    return v3_mul(color, sample_map(s, &h->material->base_map, h, v3_all(1.0f)));
+}
+
+/* The share of light that a surface takes: the rest passes. */
+static float opacity_at(const lobe_scene *s, const ray_hit *hit) {
+    const triangle *t = &s->triangles[hit->triangle];
+    const material *m = &s->materials[t->material];
+    if (m->alpha_mode == ALPHA_OPAQUE) return 1.0f;
+    const vertex *a = &s->vertices[t->vertex[0]], *b = &s->vertices[t->vertex[1]],
+                 *c = &s->vertices[t->vertex[2]];
+    const float u = hit->u, v = hit->v, w = 1.0f - u - v;
+    const float missing = w * a->darkening[3] + u * b->darkening[3] + v * c->darkening[3];
+    float alpha = m->alpha * (1.0f - missing / 65535.0f);
+    if (m->base_map.texture != NO_TEXTURE) {
+        const int second = m->base_map.uv_set;
+        const float x = second ? w * a->u1 + u * b->u1 + v * c->u1 : w * a->u + u * b->u + v * c->u;
+        const float y = second ? w * a->v1 + u * b->v1 + v * c->v1 : w * a->v + u * b->v + v * c->v;
+        alpha *= lobe_texture_alpha_at(&s->textures[m->base_map.texture], &m->base_map, x, y);
+    }
+    if (m->alpha_mode == ALPHA_MASK) return alpha >= m->alpha_cutoff ? 1.0f : 0.0f;
+    return alpha;
+}
+
 /* The shading normal from the normal map, in world space. */
 static vec3 mapped_normal(const lobe_scene *s, const hit_point *h, const frame *f,
                           float handedness) {
     const material *m = h->material;
-    if (m->normal_texture == NO_TEXTURE) return f->z;
-    vec3 t = lobe_texture_at(&s->textures[m->normal_texture], h->u, h->v);
+    if (m->normal_map.texture == NO_TEXTURE) return f->z;
+    vec3 t = sample_map(s, &m->normal_map, h, v3_all(0.0f));
     float x = (2.0f * t.x - 1.0f) * m->normal_scale, y = (2.0f * t.y - 1.0f) * m->normal_scale;
     vec3 local = {x, y * handedness, 2.0f * t.z - 1.0f};
     return v3_normalize_or(frame_to_world(f, local), f->z);
@@ -48,8 +82,11 @@ static hit_point hit_point_of(const lobe_scene *s, const ray_hit *hit, vec3 dire
     float u = hit->u, v = hit->v, w = 1.0f - u - v;
     hit_point h = {
         .distance = hit->distance, .triangle = t, .material = &s->materials[t->material]};
-    h.u = w * a->u + u * b->u + v * c->u;
-    h.v = w * a->v + u * b->v + v * c->v;
+    h.u[0] = w * a->u + u * b->u + v * c->u;
+    h.v[0] = w * a->v + u * b->v + v * c->v;
+    h.u[1] = w * a->u1 + u * b->u1 + v * c->u1;
+    h.v[1] = w * a->v1 + u * b->v1 + v * c->v1;
+    h.darkening = interpolate(darkening_of(a), darkening_of(b), darkening_of(c), u, v);
     h.position = interpolate(a->position, b->position, c->position, u, v);
     vec3 edge = v3_sub(b->position, a->position), other = v3_sub(c->position, a->position);
     vec3 face = v3_normalize_or(v3_cross(edge, other), v3(0.0f, 1.0f, 0.0f));
@@ -61,18 +98,40 @@ static hit_point hit_point_of(const lobe_scene *s, const ray_hit *hit, vec3 dire
     frame smooth = frame_of(normal, tangent);
     vec3 mapped = mapped_normal(s, &h, &smooth, a->handedness);
     h.shading = frame_of(v3_scale(mapped, side), tangent);
-    h.emission = v3_mul(h.material->emission,
-                        sample_texture(s, h.material->emission_texture, &h, v3_all(1.0f)));
-
+    h.turn = side * a->handedness;
+    h.emission = h.material->is_unlit
+                     ? base_color_at(s, &h)
+                     : v3_mul(h.material->emission,
+                              sample_map(s, &h.material->emission_map, &h, v3_all(1.0f)));
     return h;
+}
+
+/* KHR_materials_anisotropy, in the terms of lobe_surface_at: alpha grows toward 1 along a direction of
+ * the tangent plane, which becomes the frame's x. */
+static void stretch(const lobe_scene *s, const hit_point *h, frame *shading, float *roughness,
+                    float *anisotropy) {
+    const material *m = h->material;
+    const vec3 t = sample_map(s, &m->stretch_map, h, v3(1.0f, 0.5f, 1.0f));
+    const float x = 2.0f * t.x - 1.0f, y = 2.0f * t.y - 1.0f, strength = m->stretch * t.z;
+    const float along = m->stretch_x * x - m->stretch_y * y;
+    const float across = (m->stretch_y * x + m->stretch_x * y) * h->turn;
+    *shading =
+        frame_of(shading->z, v3_add(v3_scale(shading->x, along), v3_scale(shading->y, across)));
+    const float alpha_y = fmaxf(*roughness * *roughness, 0.001f);
+    const float alpha_x = alpha_y + (1.0f - alpha_y) * strength * strength;
+    *roughness = sqrtf(0.5f * (alpha_x + alpha_y));
+    *anisotropy = (alpha_x - alpha_y) / (alpha_x + alpha_y);
 }
 
 static surface surface_of(const integrator *k, const hit_point *h, vec3 to_viewer) {
     const material *m = h->material;
-    vec3 color = v3_mul(m->base_color, sample_texture(k->scene, m->base_texture, h, v3_all(1.0f)));
-    vec3 packed = sample_texture(k->scene, m->surface_texture, h, v3_all(1.0f));
-    return lobe_surface_at(&k->surface, h->shading, h->geometric, to_viewer, color,
-                           m->metallic * packed.z, m->roughness * packed.y, m->anisotropy);
+    vec3 packed = sample_map(k->scene, &m->surface_map, h, v3_all(1.0f));
+    frame shading = h->shading;
+    float roughness = m->roughness * packed.y, anisotropy = m->anisotropy;
+    if (m->stretch > 0.0f) stretch(k->scene, h, &shading, &roughness, &anisotropy);
+    return lobe_surface_at(&k->surface, shading, h->geometric, to_viewer,
+                           base_color_at(k->scene, h), m->metallic * packed.z, roughness,
+                           anisotropy);
 }
 
 /* Share of a sample of density a when b could have made it too. */
@@ -119,16 +178,49 @@ static vec3 lift(const hit_point *h) {
     return v3_add(h->position, v3_scale(h->geometric, 2e-5f * (size + h->distance)));
 }
 
-/* One point of light: direction, distance, radiance and density over directions. */
+/* One point of light: direction, distance, radiance and density over directions. A point mass:
+ * radiance is the irradiance across the direction, and the density the probability of the lamp. */
 typedef struct light_sample {
     vec3 direction, radiance;
     float distance, pdf;
+    int is_point_mass;
 } light_sample;
+
+/* The fall-off to 0 at the range and at the edge of the cone that KHR_lights_punctual recommends. */
+static light_sample shine(const lamp *l, vec3 from) {
+    light_sample d = {.radiance = l->intensity, .is_point_mass = 1};
+    if (l->kind == LAMP_DIRECTIONAL) {
+        d.direction = v3_neg(l->direction);
+        d.distance = INFINITY;
+        return d;
+    }
+    const vec3 to = v3_sub(l->position, from);
+    d.distance = v3_length(to);
+    d.direction = v3_normalize_or(to, v3(0.0f, 1.0f, 0.0f));
+    float share = 1.0f / fmaxf(d.distance * d.distance, 1e-20f);
+    if (l->range > 0.0f) {
+        const float ratio = d.distance / l->range, square = ratio * ratio;
+        share *= clampf(1.0f - square * square, 0.0f, 1.0f);
+    }
+    if (l->kind == LAMP_SPOT) {
+        const float cosine = -v3_dot(d.direction, l->direction);
+        const float edge = clampf(
+            (cosine - l->cos_outer) / fmaxf(l->cos_inner - l->cos_outer, 0.001f), 0.0f, 1.0f);
+        share *= edge * edge;
+    }
+    d.radiance = v3_scale(d.radiance, share);
+    return d;
+}
 
 static light_sample draw_lamp(const lobe_scene *s, vec3 from, sampler_point point) {
     uint32_t light = alias_draw(
         &s->light_table, point.bits[1],
         (float)((uint32_t)((uint64_t)point.bits[1] * s->light_table.count) >> 8) * 0x1p-24f);
+    if (light >= s->light_count) {
+        light_sample l = shine(&s->lamps[light - s->light_count], from);
+        l.pdf = s->light_table.cells[light].share;
+        return l;
+    }
     const triangle *t = &s->triangles[s->lights[light]];
     float root = sqrtf(sampler_unit(point.bits[2])), v = sampler_unit(point.bits[3]) * root;
     vec3 a = s->vertices[t->vertex[0]].position, b = s->vertices[t->vertex[1]].position,
@@ -159,6 +251,28 @@ static light_sample draw_light(const lobe_scene *s, vec3 from, sampler_point poi
     return l;
 }
 
+/* Where a ray goes on behind a surface that it passed. */
+static float past(float distance) {
+    return nextafterf(distance * 1.000001f, INFINITY);
+}
+
+/* The share of light that comes from `distance` away. */
+static float transmittance(path *p, vec3 from, vec3 direction, float distance) {
+    const lobe_scene *s = p->k->scene;
+    if (s->is_opaque) {
+        p->rays++;
+        return lobe_tracer_blocked(s->tracer, from, direction, distance) ? 0.0f : 1.0f;
+    }
+    ray_hit hit;
+    float share = 1.0f;
+    for (float near = 0.0f; share > 0.0f; near = past(hit.distance)) {
+        p->rays++;
+        if (!lobe_tracer_nearest(s->tracer, from, direction, near, distance, &hit)) break;
+        share *= 1.0f - opacity_at(s, &hit);
+    }
+    return share;
+}
+
 /* Next-event estimation. */
 static void add_drawn_light(path *p, const hit_point *h, const surface *surface) {
     const lobe_scene *s = p->k->scene;
@@ -173,9 +287,10 @@ static void add_drawn_light(path *p, const hit_point *h, const surface *surface)
     float pdf;
     vec3 value = lobe_surface_value(surface, l.direction, &pdf);
     if (!(v3_max(value) > 0.0f)) return;
-    p->rays++;
-    if (lobe_tracer_blocked(s->tracer, from, l.direction, l.distance * 0.9999f)) return;
-    float share = weigh(p->k->heuristic, l.pdf, pdf, 1);
+    if (!(v3_max(l.radiance) > 0.0f)) return;
+    float share = transmittance(p, from, l.direction, l.distance * 0.9999f);
+    if (!l.is_point_mass) share *= weigh(p->k->heuristic, l.pdf, pdf, 1);
+    if (!(share > 0.0f)) return;
     vec3 light = v3_mul(p->throughput, v3_mul(value, l.radiance));
     p->sample.radiance = v3_add(p->sample.radiance, v3_scale(light, share / l.pdf));
 }
@@ -206,6 +321,20 @@ static int scatter(path *p, const hit_point *h, const surface *surface, int scat
     return 1;
 }
 
+/* The next surface; of those that let light through, one is met with the probability of its
+ * opacity. */
+static int meet_surface(path *p, ray_hit *hit) {
+    const lobe_scene *s = p->k->scene;
+    for (float near = 0.0f;; near = past(hit->distance)) {
+        p->rays++;
+        if (!lobe_tracer_nearest(s->tracer, p->origin, p->direction, near, INFINITY, hit)) return 0;
+        const float opacity = opacity_at(s, hit);
+        if (opacity >= 1.0f) return 1;
+        if (opacity > 0.0f && sampler_unit(lobe_sampler_next(p->points).bits[0]) < opacity)
+            return 1;
+    }
+}
+
 film_sample lobe_trace_path(const integrator *k, vec3 origin, vec3 direction, sampler *points,
                             uint64_t *rays) {
     path p = {.k = k,
@@ -216,8 +345,7 @@ film_sample lobe_trace_path(const integrator *k, vec3 origin, vec3 direction, sa
               .is_camera = 1};
     for (int scatterings = 0;; scatterings++) {
         ray_hit hit;
-        p.rays++;
-        if (!lobe_tracer_nearest(k->scene->tracer, p.origin, p.direction, &hit)) {
+        if (!meet_surface(&p, &hit)) {
             add_sky(&p);
             break;
         }
@@ -225,7 +353,7 @@ film_sample lobe_trace_path(const integrator *k, vec3 origin, vec3 direction, sa
         add_met_light(&p, h.emission, lamp_pdf(k->scene, &h, p.direction));
         surface s = surface_of(k, &h, v3_neg(p.direction));
         if (scatterings == 0) keep_first_hit(&p, &h, &s);
-        if (scatterings == k->depth) break;
+        if (scatterings == k->depth || h.material->is_unlit) break;
         add_drawn_light(&p, &h, &s);
         if (!scatter(&p, &h, &s, scatterings + 1)) break;
     }

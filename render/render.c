@@ -33,7 +33,9 @@ const char *lobe_heuristic_name(lobe_heuristic heuristic) {
 }
 
 lobe_render_options lobe_render_default_options(void) {
-    return (lobe_render_options){.reflection = lobe_reflection_default_options(),
+    lobe_reflection_options reflection = lobe_reflection_default_options();
+    reflection.floor = 0.1; /* lamps near the horizon are drawn as emitters */
+    return (lobe_render_options){.reflection = reflection,
                                  .width = 960,
                                  .height = 540,
                                  .samples = 64,
@@ -191,8 +193,9 @@ static lobe_render_result check_options(const lobe_render_options *o) {
     if (o->threads < 0 || o->threads > 1024)
         return lobe_fail(LOBE_RENDER_BAD_INPUT, "threads: %d is out of range; use 0 to 1024",
                          o->threads);
-    if (!lobe_model_exists(o->reflection.model) || (unsigned)o->heuristic >= 4u ||
-        !(o->time_limit >= 0.0))
+    if (!lobe_model_exists(o->reflection.model) ||
+        !(o->reflection.floor >= 0.0 && o->reflection.floor <= 1.0) ||
+        (unsigned)o->heuristic >= 4u || !(o->time_limit >= 0.0))
         return lobe_fail(LOBE_RENDER_BAD_INPUT,
                          "options: a value is out of range; see lobe/render.h");
     return LOBE_RENDER_OK;

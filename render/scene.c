@@ -36,6 +36,10 @@ uint32_t lobe_scene_add_vertex(lobe_scene *s, vertex v) {
     APPEND(s, vertices, vertex, v);
 }
 
+uint32_t lobe_scene_add_lamp(lobe_scene *s, lamp l) {
+    APPEND(s, lamps, lamp, l);
+}
+
 static uint32_t append_triangle(lobe_scene *s, triangle t) {
     APPEND(s, triangles, triangle, t);
 }
@@ -82,11 +86,22 @@ void lobe_scene_add_triangle(lobe_scene *s, uint32_t a, uint32_t b, uint32_t c, 
 material lobe_default_material(void) {
     return (material){.base_color = {0.8f, 0.8f, 0.8f},
                       .roughness = 0.5f,
-                      .base_texture = NO_TEXTURE,
-                      .normal_texture = NO_TEXTURE,
-                      .surface_texture = NO_TEXTURE,
-                      .emission_texture = NO_TEXTURE,
-                      .normal_scale = 1.0f};
+                      .stretch_x = 1.0f,
+                      .alpha = 1.0f,
+                      .normal_scale = 1.0f,
+                      .base_map = lobe_texture_map(NO_TEXTURE),
+                      .normal_map = lobe_texture_map(NO_TEXTURE),
+                      .surface_map = lobe_texture_map(NO_TEXTURE),
+                      .emission_map = lobe_texture_map(NO_TEXTURE),
+                      .stretch_map = lobe_texture_map(NO_TEXTURE)};
+}
+
+material lobe_fallback_material(const lobe_scene_options *o) {
+    material m = lobe_default_material();
+    m.base_color = v3(o->default_base_color[0], o->default_base_color[1], o->default_base_color[2]);
+    m.metallic = o->default_metallic;
+    m.roughness = o->default_roughness;
+    return m;
 }
 
 lobe_scene_options lobe_scene_default_options(void) {
@@ -105,31 +120,59 @@ void lobe_scene_free(lobe_scene *s) {
     free(s->materials);
     free(s->textures);
     free(s->cameras);
+    free(s->lamps);
     free(s->lights);
     free(s->light_areas);
     free(s);
 }
 
-/* Lamps are chosen by power; the colour of an emission texture is left to the paths that meet it. */
+/* What varies over a triangle (a texture, the opacity) is left to the paths that meet it. */
+static int is_even_light(const material *m) {
+    return v3_max(m->emission) > 0.0f && m->emission_map.texture == NO_TEXTURE &&
+           m->alpha_mode == ALPHA_OPAQUE && !m->is_unlit;
+}
+
+/* Over pi, as that of triangles; a directional lamp shines on the disk of the scene. */
+static double power_of_lamp(const lobe_scene *s, const lamp *l) {
+    const double intensity = (double)v3_luminance(l->intensity);
+    if (l->kind == LAMP_POINT) return 4.0 * intensity;
+    if (l->kind == LAMP_SPOT) return 2.0 * (1.0 - (double)l->cos_outer) * intensity;
+    const double radius = 0.5 * (double)v3_length(v3_sub(s->high, s->low));
+    return radius * radius * intensity;
+}
+
+/* Sums of powers stay finite, whatever a file says. */
+static const double POWER_MAX = 1e60;
+
+/* Lights are chosen by power. */
 static int collect_lights(lobe_scene *s) {
     s->lights = malloc((s->triangle_count + 1) * sizeof *s->lights);
     s->light_areas = malloc((s->triangle_count + 1) * sizeof *s->light_areas);
-    double *powers = malloc((s->triangle_count + 1) * sizeof *powers);
+    double *powers = malloc(((size_t)s->triangle_count + s->lamp_count + 1) * sizeof *powers);
     int ok = s->lights && s->light_areas && powers;
     for (uint32_t i = 0; ok && i < s->triangle_count; i++) {
         triangle *t = &s->triangles[i];
         const material *m = &s->materials[t->material];
-        if (!(v3_max(m->emission) > 0.0f) || m->emission_texture != NO_TEXTURE) continue;
+        if (!is_even_light(m)) continue;
         float area = area_of(s->vertices[t->vertex[0]].position, s->vertices[t->vertex[1]].position,
                              s->vertices[t->vertex[2]].position);
         t->light = (int32_t)s->light_count;
         s->lights[s->light_count] = i;
         s->light_areas[s->light_count] = area;
-        powers[s->light_count++] = (double)(area * v3_luminance(m->emission));
+        powers[s->light_count++] =
+            fmin((double)area * (double)v3_luminance(m->emission), POWER_MAX);
     }
-    ok = ok && lobe_alias_create(&s->light_table, powers, s->light_count);
+    for (uint32_t i = 0; ok && i < s->lamp_count; i++)
+        powers[s->light_count + i] = fmin(power_of_lamp(s, &s->lamps[i]), POWER_MAX);
+    ok = ok && lobe_alias_create(&s->light_table, powers, s->light_count + s->lamp_count);
     free(powers);
     return ok;
+}
+
+static int is_scene_opaque(const lobe_scene *s) {
+    for (uint32_t i = 0; i < s->material_count; i++)
+        if (s->materials[i].alpha_mode != ALPHA_OPAQUE) return 0;
+    return 1;
 }
 
 static void find_bounds(lobe_scene *s) {
@@ -178,7 +221,7 @@ static lobe_render_result light_the_scene(lobe_scene *s, const lobe_scene_option
             lobe_warn(&s->warnings, "%s: %zu values below 0 or not finite; they count as 0",
                       options->environment, repaired);
         if (s->has_sky) lobe_environment_free(&s->sky);
-    } else if (s->has_sky || s->light_count) {
+    } else if (s->has_sky || s->light_table.cells) {
         return LOBE_RENDER_OK;
     } else if (!lobe_environment_sky(&picture)) {
         return lobe_fail_memory(s->name);
@@ -219,6 +262,7 @@ static lobe_render_result finish(lobe_scene *s, const lobe_scene_options *option
     if (s->camera_count == 0) frame_automatically(s);
     if (options->ground && is_file) add_ground(s);
     if (!collect_lights(s)) return lobe_fail_memory(s->name);
+    s->is_opaque = is_scene_opaque(s);
     lobe_render_result result = light_the_scene(s, options);
     if (result != LOBE_RENDER_OK) return result;
     s->tracer = lobe_tracer_create(s->vertices, s->vertex_count, sizeof *s->vertices, s->triangles,

@@ -9,7 +9,8 @@
 #include "texture.h"
 #include "trace.h"
 
-enum { NO_TEXTURE = -1 };
+/* How much of a surface is there: all of it, what reaches the cutoff, or a share of the light. */
+typedef enum alpha_mode { ALPHA_OPAQUE, ALPHA_MASK, ALPHA_BLEND } alpha_mode;
 
 /* glTF 2.0 metallic-roughness; factors multiply the textures. */
 typedef struct material {
@@ -18,13 +19,20 @@ typedef struct material {
     float metallic;
     float roughness;  /* perceptual */
     float anisotropy; /* -1 to 1: alpha_x/alpha_y = (1 + a)/(1 - a) */
-    int base_texture, normal_texture, surface_texture, emission_texture;
+    float stretch; /* KHR_materials_anisotropy, 0 to 1, in place of anisotropy where it is not 0 */
+    float stretch_x, stretch_y; /* its direction in the tangent plane, unit */
+    float alpha, alpha_cutoff;
+    alpha_mode alpha_mode;
+    int is_unlit; /* shows its base colour, reflects nothing */
     float normal_scale;
+    texture_map base_map, normal_map, surface_map, emission_map, stretch_map;
 } material;
 
 typedef struct vertex {
-    vec3 position, normal, tangent; /* tangent: 0 where there is none */
+    vec3 position, normal, tangent; /* normal, tangent: 0 where there is none */
     float u, v, handedness;
+    float u1, v1;          /* the second set of texture coordinates */
+    uint16_t darkening[4]; /* 65535 (1 - colour and alpha): 0 leaves the material's alone */
 } vertex;
 
 typedef struct triangle {
@@ -32,6 +40,17 @@ typedef struct triangle {
     uint32_t material;
     int32_t light; /* its number among the emissive triangles, or -1 */
 } triangle;
+
+/* Light from a place or a direction without extent (KHR_lights_punctual). */
+typedef enum lamp_kind { LAMP_POINT, LAMP_SPOT, LAMP_DIRECTIONAL } lamp_kind;
+
+typedef struct lamp {
+    lamp_kind kind;
+    vec3 position, direction; /* direction: unit, in which it shines */
+    vec3 intensity;           /* radiant intensity; of directional ones, irradiance */
+    float cos_inner, cos_outer;
+    float range; /* where it ends; 0: nowhere */
+} lamp;
 
 typedef struct camera {
     char name[64];
@@ -46,13 +65,15 @@ struct lobe_scene {
     material *materials;
     texture *textures;
     camera *cameras;
-    uint32_t vertex_count, triangle_count, material_count, texture_count, camera_count;
-    uint32_t vertex_room, triangle_room, material_room, texture_room, camera_room;
+    lamp *lamps;
+    uint32_t vertex_count, triangle_count, material_count, texture_count, camera_count, lamp_count;
+    uint32_t vertex_room, triangle_room, material_room, texture_room, camera_room, lamp_room;
     int out_of_memory;
     uint32_t *lights; /* emissive triangles */
     float *light_areas;
     uint32_t light_count;
-    alias_table light_table;
+    alias_table light_table; /* of them, then of the lamps */
+    int is_opaque;           /* every triangle */
     environment sky;
     int has_sky;
     tracer *tracer;
@@ -65,6 +86,7 @@ struct lobe_scene {
 /* Building. Indices are those of the scene; failures of memory are kept in out_of_memory. */
 uint32_t lobe_scene_add_material(lobe_scene *s, material m);
 uint32_t lobe_scene_add_vertex(lobe_scene *s, vertex v);
+uint32_t lobe_scene_add_lamp(lobe_scene *s, lamp l);
 void lobe_scene_add_triangle(lobe_scene *s, uint32_t a, uint32_t b, uint32_t c, uint32_t material);
 int lobe_scene_add_texture(lobe_scene *s, texture t);
 void lobe_scene_add_camera(lobe_scene *s, const char *name, vec3 position, vec3 target, vec3 up,
@@ -75,5 +97,10 @@ material lobe_default_material(void);
 int lobe_scene_build(lobe_scene *s, const char *name);
 lobe_render_result lobe_scene_import(lobe_scene *s, const char *path,
                                      const lobe_scene_options *options);
+lobe_render_result lobe_scene_import_gltf(lobe_scene *s, const char *path,
+                                          const lobe_scene_options *options);
+
+/* What a file without materials gets, from the options. */
+material lobe_fallback_material(const lobe_scene_options *options);
 
 #endif

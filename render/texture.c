@@ -7,64 +7,125 @@
 
 #include "image.h"
 
-/* stb_image allocates by malloc, and so does lobe_texture_solid: free fits both. */
-static int adopt(texture *t, unsigned char *rgb, int width, int height, int is_srgb) {
-    *t = (texture){width, height, is_srgb, rgb};
-    return rgb != NULL;
+texture_map lobe_texture_map(int texture) {
+    return (texture_map){.texture = texture, .u = {1.0f, 0.0f, 0.0f}, .v = {0.0f, 1.0f, 0.0f}};
 }
 
+/* stb_image allocates by malloc, and so does lobe_texture_solid: free fits both. */
+static int adopt(texture *t, unsigned char *texels, int width, int height, int channels,
+                 int is_srgb) {
+    *t = (texture){width, height, channels, is_srgb, texels};
+    return texels != NULL;
+}
+
+/* Grey with alpha has 2 channels, colour with alpha 4. */
+static int channels_kept(int channels) {
+    return channels == 2 || channels == 4 ? 4 : 3;
+}
+
+/* Radiance files are no textures: at the end of a truncated one stb_image (2.27) never returns. */
 int lobe_texture_read_file(texture *t, const char *path, int is_srgb) {
     int width = 0, height = 0, channels = 0;
-    unsigned char *rgb = stbi_load(path, &width, &height, &channels, 3);
-    return adopt(t, rgb, width, height, is_srgb);
+    unsigned char *texels = NULL;
+    if (stbi_info(path, &width, &height, &channels) && !stbi_is_hdr(path))
+        texels = stbi_load(path, &width, &height, &channels, channels_kept(channels));
+    return adopt(t, texels, width, height, channels_kept(channels), is_srgb);
 }
 
 int lobe_texture_read_memory(texture *t, const void *data, size_t size, int is_srgb) {
     int width = 0, height = 0, channels = 0;
-    unsigned char *rgb = NULL;
-    if (size <= INT_MAX)
-        rgb = stbi_load_from_memory(data, (int)size, &width, &height, &channels, 3);
-    return adopt(t, rgb, width, height, is_srgb);
+    unsigned char *texels = NULL;
+    if (size > 0 && size <= INT_MAX &&
+        stbi_info_from_memory(data, (int)size, &width, &height, &channels) &&
+        !stbi_is_hdr_from_memory(data, (int)size))
+        texels = stbi_load_from_memory(data, (int)size, &width, &height, &channels,
+                                       channels_kept(channels));
+    return adopt(t, texels, width, height, channels_kept(channels), is_srgb);
 }
 
 int lobe_texture_solid(texture *t, vec3 color, int is_srgb) {
-    unsigned char *rgb = malloc(3);
-    if (rgb) {
-        rgb[0] = (unsigned char)(color.x * 255.0f);
-        rgb[1] = (unsigned char)(color.y * 255.0f);
-        rgb[2] = (unsigned char)(color.z * 255.0f);
+    unsigned char *texels = malloc(3);
+    if (texels) {
+        texels[0] = (unsigned char)(color.x * 255.0f);
+        texels[1] = (unsigned char)(color.y * 255.0f);
+        texels[2] = (unsigned char)(color.z * 255.0f);
     }
-    return adopt(t, rgb, 1, 1, is_srgb);
+    return adopt(t, texels, 1, 1, 3, is_srgb);
 }
 
 void lobe_texture_free(texture *t) {
-    free(t->rgb);
-    t->rgb = NULL;
+    free(t->texels);
+    t->texels = NULL;
+}
+
+/* The place of (u, v) among the texels: the upper left of four, and the shares of the others. */
+typedef struct texel_place {
+    int x, y, next_x, next_y;
+    float share_x, share_y;
+} texel_place;
+
+/* Into [0, 1], as the edge says. */
+static float wrap(float u, texture_wrap how) {
+    if (how == WRAP_CLAMP) return clampf(u, 0.0f, 1.0f);
+    if (how == WRAP_REPEAT) return u - floorf(u);
+    const float turn = u - 2.0f * floorf(0.5f * u);
+    return turn > 1.0f ? 2.0f - turn : turn;
+}
+
+/* Position on one axis: the lower texel, the next one and the share of that. */
+static int place_on(float u, int size, texture_wrap how, int is_nearest, int *next, float *share) {
+    const float x = wrap(u, how) * (float)size - 0.5f;
+    if (is_nearest) {
+        const int i = (int)clampf(floorf(x + 0.5f), 0.0f, (float)(size - 1));
+        *share = 0.0f;
+        return *next = i;
+    }
+    const float low = floorf(x);
+    *share = x - low;
+    const int i = (int)low;
+    *next = i + 1 < size ? i + 1 : how == WRAP_REPEAT ? 0 : size - 1;
+    if (i < 0) return how == WRAP_REPEAT ? size - 1 : 0;
+    return i < size ? i : size - 1;
+}
+
+static texel_place place_of(const texture *t, const texture_map *map, float u, float v) {
+    const float mu = map->u[0] * u + map->u[1] * v + map->u[2];
+    const float mv = map->v[0] * u + map->v[1] * v + map->v[2];
+    texel_place p = {0};
+    if (!isfinite(mu) || !isfinite(mv)) return p;
+    p.x = place_on(mu, t->width, map->wrap_u, map->is_nearest, &p.next_x, &p.share_x);
+    p.y = place_on(mv, t->height, map->wrap_v, map->is_nearest, &p.next_y, &p.share_y);
+    return p;
+}
+
+static const unsigned char *texel_bytes(const texture *t, int x, int y) {
+    return t->texels + (size_t)t->channels * ((size_t)y * (size_t)t->width + (size_t)x);
 }
 
 static vec3 texel(const texture *t, int x, int y) {
-    const unsigned char *c = t->rgb + 3 * ((size_t)y * (size_t)t->width + (size_t)x);
+    const unsigned char *c = texel_bytes(t, x, y);
     vec3 value = {c[0] / 255.0f, c[1] / 255.0f, c[2] / 255.0f};
     if (!t->is_srgb) return value;
     return v3(lobe_srgb_to_linear(value.x), lobe_srgb_to_linear(value.y),
               lobe_srgb_to_linear(value.z));
 }
 
-/* Position on a repeating axis: the lower texel and the share of the next one. */
-static int wrap(float u, int size, float *share) {
-    float x = (u - floorf(u)) * (float)size - 0.5f;
-    float low = floorf(x);
-    *share = x - low;
-    int i = (int)low;
-    return i < 0 ? i + size : i >= size ? i - size : i;
+vec3 lobe_texture_at(const texture *t, const texture_map *map, float u, float v) {
+    const texel_place p = place_of(t, map, u, v);
+    vec3 top = v3_lerp(texel(t, p.x, p.y), texel(t, p.next_x, p.y), p.share_x);
+    vec3 bottom = v3_lerp(texel(t, p.x, p.next_y), texel(t, p.next_x, p.next_y), p.share_x);
+    return v3_lerp(top, bottom, p.share_y);
 }
 
-vec3 lobe_texture_at(const texture *t, float u, float v) {
-    if (!isfinite(u) || !isfinite(v)) return texel(t, 0, 0);
-    float share_x, share_y;
-    int x = wrap(u, t->width, &share_x), y = wrap(v, t->height, &share_y);
-    int next_x = x + 1 == t->width ? 0 : x + 1, next_y = y + 1 == t->height ? 0 : y + 1;
-    vec3 top = v3_lerp(texel(t, x, y), texel(t, next_x, y), share_x);
-    vec3 bottom = v3_lerp(texel(t, x, next_y), texel(t, next_x, next_y), share_x);
-    return v3_lerp(top, bottom, share_y);
+static float alpha(const texture *t, int x, int y) {
+    return texel_bytes(t, x, y)[3] / 255.0f;
+}
+
+float lobe_texture_alpha_at(const texture *t, const texture_map *map, float u, float v) {
+    if (t->channels < 4) return 1.0f;
+    const texel_place p = place_of(t, map, u, v);
+    const float top = (1.0f - p.share_x) * alpha(t, p.x, p.y) + p.share_x * alpha(t, p.next_x, p.y);
+    const float bottom =
+        (1.0f - p.share_x) * alpha(t, p.x, p.next_y) + p.share_x * alpha(t, p.next_x, p.next_y);
+    return (1.0f - p.share_y) * top + p.share_y * bottom;
 }

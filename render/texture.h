@@ -1,4 +1,4 @@
-/* Textures of 8 bits a channel, bilinear, repeating. */
+/* Textures of 8 bits a channel, and how a material looks at them. */
 #ifndef LOBE_RENDER_TEXTURE_H
 #define LOBE_RENDER_TEXTURE_H
 
@@ -6,13 +6,31 @@
 
 #include "vector.h"
 
+enum { NO_TEXTURE = -1 };
+
 typedef struct texture {
     int width, height;
+    int channels; /* 3, or 4 where the picture has alpha */
     int is_srgb;
-    unsigned char *rgb; /* rows from the top; freed by lobe_texture_free */
+    unsigned char *texels; /* rows from the top; freed by lobe_texture_free */
 } texture;
 
-/* Anything stb_image reads. 0: unusable, `t` is left empty. */
+/* What lies beyond the edge. */
+typedef enum texture_wrap { WRAP_REPEAT, WRAP_MIRROR, WRAP_CLAMP } texture_wrap;
+
+/* Which texture a material uses, and how. */
+typedef struct texture_map {
+    int texture; /* index in the scene, or NO_TEXTURE */
+    int uv_set;  /* of the vertex: 0 or 1 */
+    texture_wrap wrap_u, wrap_v;
+    int is_nearest;   /* not bilinear */
+    float u[3], v[3]; /* rows of the transform of (u, v, 1) */
+} texture_map;
+
+/* Repeating, bilinear, the first set of coordinates as it is. */
+texture_map lobe_texture_map(int texture);
+
+/* Anything of 8 or 16 bits that stb_image reads. 0: unusable, `t` is left empty. */
 int lobe_texture_read_file(texture *t, const char *path, int is_srgb);
 int lobe_texture_read_memory(texture *t, const void *data, size_t size, int is_srgb);
 
@@ -20,7 +38,8 @@ int lobe_texture_read_memory(texture *t, const void *data, size_t size, int is_s
 int lobe_texture_solid(texture *t, vec3 color, int is_srgb);
 void lobe_texture_free(texture *t);
 
-/* Linear colour (is_srgb) or raw value at (u, v), v from the top. */
-vec3 lobe_texture_at(const texture *t, float u, float v);
+/* Linear colour (is_srgb) or raw value at (u, v), v from the top; alpha is 1 where there is none. */
+vec3 lobe_texture_at(const texture *t, const texture_map *map, float u, float v);
+float lobe_texture_alpha_at(const texture *t, const texture_map *map, float u, float v);
 
 #endif

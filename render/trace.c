@@ -79,10 +79,12 @@ static struct RTCRay ray_of(vec3 origin, vec3 direction, float distance) {
     return ray;
 }
 
-int lobe_tracer_nearest(const tracer *t, vec3 origin, vec3 direction, ray_hit *hit) {
+int lobe_tracer_nearest(const tracer *t, vec3 origin, vec3 direction, float from, float to,
+                        ray_hit *hit) {
     struct RTCRayHit query;
     memset(&query, 0, sizeof query);
-    query.ray = ray_of(origin, direction, INFINITY);
+    query.ray = ray_of(origin, direction, to);
+    query.ray.tnear = from;
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     INTERSECT(t->scene, &query);
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return 0;

@@ -18,7 +18,9 @@ tracer *lobe_tracer_create(const void *vertices, uint32_t vertex_count, uint32_t
                            const void *indices, uint32_t triangle_count, uint32_t index_stride);
 void lobe_tracer_free(tracer *t);
 
-int lobe_tracer_nearest(const tracer *t, vec3 origin, vec3 direction, ray_hit *hit);
+/* The first surface between two distances. */
+int lobe_tracer_nearest(const tracer *t, vec3 origin, vec3 direction, float from, float to,
+                        ray_hit *hit);
 int lobe_tracer_blocked(const tracer *t, vec3 origin, vec3 direction, float distance);
 
 #endif

@@ -28,7 +28,7 @@ SYSTEM_HEADERS = {  # of the rooms that are choosy
     "kernel": FREESTANDING | {"string.h"},  # memcpy, in the bindings
     "lib": FREESTANDING | {"assert.h", "stdatomic.h", "stdlib.h", "string.h", "immintrin.h", "arm_neon.h"},
 }
-SUFFIXES = {".c", ".h", ".inc", ".glsl", ".hlsl", ".comp", ".cu"}
+SUFFIXES = {".c", ".cpp", ".h", ".inc", ".glsl", ".hlsl", ".comp", ".cu"}
 INCLUDE = re.compile(r'^\s*#\s*include\s+(?:"([^"]+)"|<([^>]+)>|(\S.*))')
 
 

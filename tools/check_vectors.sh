@@ -4,7 +4,7 @@
 # loop and jump there, and must call nothing.
 #
 # Known: processors before AVX-512 have no arithmetic on 64-bit integers to speak of, so double loops
-# through k_log and k_cbrt_start, which work on the bits, stay scalar.
+# through k_log, k_cbrt_start and arcs, which work on the bits or take too many of them, stay scalar.
 set -eu
 
 objdump -d --no-show-raw-insn "$1" | awk '
@@ -12,7 +12,7 @@ objdump -d --no-show-raw-insn "$1" | awk '
         object = $1
         loops = object ~ /batch_(sse41|avx2|avx512|neon)_f(32|64)/
     }
-    BEGIN { known = "f64.*(ggx_slope|beckmann)_" }
+    BEGIN { known = "f64.*(ggx_slope|ggx_horizon_exact|beckmann)_" }
     /^[0-9a-f]+ <.*>:/ {
         name = object " " $2
         wanted = loops && $2 ~ /_(sample|eval)_(each|shared)>/

@@ -8,7 +8,8 @@
 typedef enum coverage {
     COVERAGE_OTHER,
     COVERAGE_VISIBLE, /* every visible normal, by its area */
-    COVERAGE_CAP      /* a smaller cap: exact at normal incidence and where alpha = 1 */
+    COVERAGE_CAP,     /* a smaller cap: exact at normal incidence and where alpha = 1 */
+    COVERAGE_ALL      /* exactly what leaves */
 } coverage;
 
 typedef struct method_facts {
@@ -25,6 +26,10 @@ static const method_facts SMITH_GGX[LOBE_METHOD_COUNT] = {
     [LOBE_METHOD_CAPS] = {1, COVERAGE_VISIBLE},
     [LOBE_METHOD_BOUNDED] = {1, COVERAGE_CAP},
     [LOBE_METHOD_OPTIMAL] = {1, COVERAGE_CAP},
+    [LOBE_METHOD_HORIZON_MIRROR] = {1, COVERAGE_ALL},
+    [LOBE_METHOD_HORIZON_EXACT] = {1, COVERAGE_ALL},
+    [LOBE_METHOD_HORIZON_UNIFORM] = {0, COVERAGE_ALL},
+    [LOBE_METHOD_HORIZON] = {0, COVERAGE_ALL},
 };
 
 static const double PI = 3.14159265358979323846;
@@ -53,6 +58,7 @@ static double visible_share(const surface *s, const lobe_ggx_chart *chart) {
 static double accepted_share(const surface *s, coverage method, const lobe_ggx_chart *chart) {
     int is_exact = s->alpha == 1 || (s->mu == 1 && s->alpha > 0 && s->alpha < 1);
     if (method == COVERAGE_VISIBLE) return visible_share(s, chart);
+    if (method == COVERAGE_ALL) return 1;
     if (method == COVERAGE_CAP && (is_exact || s->mu <= 0)) return 1;
     return NAN;
 }

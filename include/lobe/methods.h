@@ -18,7 +18,15 @@
     X(ELLIPSOID, "ellipsoid", "projected ellipsoid (Heitz 2018)")                                  \
     X(CAPS, "caps", "spherical caps (Dupuy & Benyoub 2023)")                                       \
     X(BOUNDED, "bounded", "bounded caps (Eto & Tokuyoshi 2023, 2024)")                             \
-    X(OPTIMAL, "optimal", "smallest cap of any axis (docs/optimal-caps.md)")
+    X(OPTIMAL, "optimal", "smallest cap of any axis (docs/optimal-caps.md)")                       \
+    X(HORIZON_MIRROR, "horizon-mirror",                                                            \
+      "uniform over what leaves the surface, by u3 (docs/horizon-sampling.md)")                    \
+    X(HORIZON_EXACT, "horizon-exact",                                                              \
+      "the same, continuous, by a fixed number of steps (docs/horizon-sampling.md)")               \
+    X(HORIZON_UNIFORM, "horizon-uniform",                                                          \
+      "nearly the same, in closed form (docs/horizon-sampling.md)")                                \
+    X(HORIZON, "horizon",                                                                          \
+      "nothing rejected, and shadowing followed down to a floor (docs/horizon-sampling.md)")
 
 /* Which of them go together: X(NDF, MASKING, METHOD, kernel), kernel/<kernel>.h. The last row of a
  * distribution and masking is its best method. */
@@ -29,6 +37,10 @@
     X(GGX, SMITH, ELLIPSOID, ggx_ellipsoid)                                                        \
     X(GGX, SMITH, CAPS, ggx_caps)                                                                  \
     X(GGX, SMITH, BOUNDED, ggx_bounded)                                                            \
-    X(GGX, SMITH, OPTIMAL, ggx_optimal)
+    X(GGX, SMITH, OPTIMAL, ggx_optimal)                                                            \
+    X(GGX, SMITH, HORIZON_MIRROR, ggx_horizon_mirror)                                              \
+    X(GGX, SMITH, HORIZON_EXACT, ggx_horizon_exact)                                                \
+    X(GGX, SMITH, HORIZON_UNIFORM, ggx_horizon_uniform)                                            \
+    X(GGX, SMITH, HORIZON, ggx_horizon)
 
 #endif

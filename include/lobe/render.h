@@ -19,7 +19,15 @@
  * dielectric is a GGX coat of index 1.5 over a diffuse base, `metallic` blends the two. The base
  * receives what the coat lets through: a white dielectric reflects all light and never more, at any
  * roughness, angle and anisotropy (0.99 to 1.001; from 0.985 at an anisotropy of 0.6, from 0.95 at
- * 0.95). Every surface is opaque and two-sided.
+ * 0.95). Every surface is two-sided.
+ * Of glTF 2.0 are read: meshes of triangles in any form, instances, two of the sets of texture
+ * coordinates per material, vertex colours, alpha masks, alpha blending (as the probability that light
+ * is stopped), cameras, and the extensions KHR_draco_mesh_compression, EXT_meshopt_compression,
+ * KHR_mesh_quantization, KHR_texture_transform, KHR_lights_punctual, KHR_materials_anisotropy,
+ * KHR_materials_emissive_strength, KHR_materials_unlit (emits its base colour). One candela, lux or
+ * nit of a file is one unit of intensity, irradiance or radiance here. Not read, with a warning: skins,
+ * morph targets, animations, points, lines, other extensions; a file that requires one of those is
+ * refused.
  * Not promised: the bits of a picture from version to version or between processors of different
  * instruction sets (Embree picks its code by the processor). On one machine the same scene, options
  * and seed give the same bits on any number of threads.
@@ -133,7 +141,7 @@ LOBE_API int lobe_aov_channels(lobe_aov aov);
 typedef enum lobe_heuristic {
     LOBE_HEURISTIC_BALANCE,
     LOBE_HEURISTIC_POWER,
-    LOBE_HEURISTIC_BSDF_ONLY,
+    LOBE_HEURISTIC_BSDF_ONLY, /* misses lamps without extent */
     LOBE_HEURISTIC_LIGHT_ONLY /* mirrors still see the lamps */
 } lobe_heuristic;
 
@@ -152,7 +160,7 @@ typedef struct lobe_render_progress {
 typedef void (*lobe_progress_function)(void *user, const lobe_render_progress *progress);
 
 typedef struct lobe_render_options {
-    lobe_reflection_options reflection; /* default lobe_reflection_default_options() */
+    lobe_reflection_options reflection; /* default lobe_reflection_default_options(), floor 0.1 */
     int width, height;                  /* pixels, 1 to LOBE_RENDER_SIZE_MAX; default 960 x 540 */
     uint32_t samples;   /* camera paths a pixel, 1 to LOBE_RENDER_SAMPLES_MAX; default 64 */
     int depth;          /* greatest number of surface scatterings on a path, 0 to 1000000; 8 */

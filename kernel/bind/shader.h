@@ -16,6 +16,7 @@
 #define K_HUGE R(1e30)
 
 #define K_FN
+#define K_UNROLL
 #define K_STRUCT(name) struct name
 
 K_FN real k_select(bool condition, real yes, real no) {

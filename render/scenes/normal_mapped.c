@@ -27,7 +27,7 @@ static int make_map(texture *t) {
             c[1] = (unsigned char)(127.5f * n.y + 128.0f);
             c[2] = (unsigned char)(127.5f * n.z + 128.0f);
         }
-    *t = (texture){SIZE, SIZE, 0, rgb};
+    *t = (texture){SIZE, SIZE, 3, 0, rgb};
     return 1;
 }
 
@@ -38,8 +38,8 @@ void lobe_scene_normal_mapped(lobe_scene *s) {
     wall.base_color = v3(0.95f, 0.80f, 0.62f);
     wall.metallic = 1.0f;
     wall.roughness = 0.6f;
-    if (make_map(&map)) wall.normal_texture = lobe_scene_add_texture(s, map);
-    s->out_of_memory |= wall.normal_texture == NO_TEXTURE;
+    if (make_map(&map)) wall.normal_map.texture = lobe_scene_add_texture(s, map);
+    s->out_of_memory |= wall.normal_map.texture == NO_TEXTURE;
     uint32_t m = lobe_scene_add_material(s, wall);
     lobe_shape_quad(s, m, v3(-4.0f, 0.0f, 0.0f), v3(8.0f, 0.0f, 0.0f), v3(0.0f, 4.0f, 0.0f));
     uint32_t floor = lobe_shape_material(s, v3_all(0.35f), 0.0f, 0.7f, 0.0f);

@@ -19,7 +19,12 @@ uint32_t lobe_shape_lamp(lobe_scene *s, vec3 radiance) {
 }
 
 static uint32_t add(lobe_scene *s, vec3 position, vec3 normal, vec3 tangent, float u, float v) {
-    return lobe_scene_add_vertex(s, (vertex){position, normal, tangent, u, v, 1.0f});
+    return lobe_scene_add_vertex(s, (vertex){.position = position,
+                                             .normal = normal,
+                                             .tangent = tangent,
+                                             .u = u,
+                                             .v = v,
+                                             .handedness = 1.0f});
 }
 
 void lobe_shape_quad(lobe_scene *s, uint32_t material, vec3 corner, vec3 a, vec3 b) {

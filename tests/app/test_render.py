@@ -1,9 +1,11 @@
 """lobe render from outside: pictures, statistics, errors. tests/render proves the tracer itself."""
+import base64
 import json
 import os
 import random
 import resource
 import signal
+import struct
 import subprocess
 import tempfile
 import time
@@ -248,6 +250,65 @@ class ErrorTest(RenderTest):
         self.assertIn(b"nowhere.png", result.stderr)
         self.rejected("render", triangle, *SMALL, "-o", self.path("b.png"), "--strict")
         self.assertFalse(os.path.exists(self.path("b.png")))
+
+
+class GltfTest(RenderTest):
+    """A triangle in an external buffer whose colour is a texture beside the file."""
+    POSITIONS = struct.pack("<9f", -1, -1, 0, 1, -1, 0, 0, 1, 0)
+
+    def triangle(self, buffer, picture, **more):
+        self.path("t.gltf", json.dumps({
+            "asset": {"version": "2.0"}, "nodes": [{"mesh": 0}],
+            "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "material": 0}]}],
+            "materials": [{"extensions": {"KHR_materials_unlit": {}}, "pbrMetallicRoughness": {
+                "baseColorTexture": {"index": 0}, "metallicRoughnessTexture": {"index": 0}}}],
+            "textures": [{"source": 0}], "images": [{"uri": picture}],
+            "accessors": [{"bufferView": 0, "componentType": 5126, "type": "VEC3", "count": 3}],
+            "bufferViews": [{"buffer": 0, "byteLength": 36}],
+            "buffers": [{"byteLength": 36, "uri": buffer}], **more}))
+        return str(self.folder / "t.gltf")
+
+    def test_files_beside(self):
+        """Names are URIs, with blanks as %20 and a plus as itself; data may stand in the name."""
+        self.path("a+b c.bin", self.POSITIONS)
+        red, green = b"P6 1 1 255 \xff\0\0", b"P6 1 1 255 \0\xff\0"
+        self.path("red+ picture.ppm", red)
+        data = "data:application/octet-stream;base64,"
+        pictures = {self.render("a.pfm", scene=self.triangle(buffer, picture)) for buffer, picture in (
+            ("a+b%20c.bin", "red+%20picture.ppm"),
+            (data + base64.b64encode(self.POSITIONS).decode(), "red+%20picture.ppm"),
+            ("a%2Bb%20c.bin", "data:image/png;base64," + base64.b64encode(red).decode()))}
+        self.assertEqual(len(pictures), 1)
+        self.path("red+ picture.ppm", green)
+        pictures.add(self.render("a.pfm", scene=self.triangle("a+b%20c.bin", "red+%20picture.ppm")))
+        self.assertEqual(len(pictures), 2)
+
+    def test_missing_files(self):
+        """A missing picture is named once and shown, a missing buffer is an error."""
+        self.path("a.bin", self.POSITIONS)
+        scene = self.triangle("a.bin", "nowhere.png")
+        result = run("render", scene, *SMALL, "-o", self.path("a.png"))
+        self.assertEqual(result.returncode, 0)
+        self.assertRegex(result.stderr, rb"\A" + ERROR_LINE.pattern + rb"\Z")
+        self.assertIn(b"nowhere.png", result.stderr)
+        self.rejected("render", scene, *SMALL, "--json", "--strict", where=scene)
+        self.rejected("render", self.triangle("b.bin", "a.bin"), *SMALL, "--json", where=scene)
+        self.path("a.bin", self.POSITIONS[:35])
+        self.rejected("render", self.triangle("a.bin", "a.bin"), *SMALL, "--json", where=scene)
+        self.rejected("render", self.triangle("/dev/zero", "a.bin"), *SMALL, "--json", where=scene)
+
+    def test_extensions(self):
+        self.path("a.bin", self.POSITIONS)
+        self.path("a.ppm", "P6 1 1 255 abc")
+        used = ["KHR_materials_unlit", "KHR_materials_clearcoat"]
+        scene = self.triangle("a.bin", "a.ppm", extensionsUsed=used)
+        result = run("render", scene, *SMALL, "--json")
+        self.assertEqual(result.returncode, 0)
+        self.assertRegex(result.stderr, rb"\A" + ERROR_LINE.pattern + rb"\Z")
+        self.assertIn(b"KHR_materials_clearcoat", result.stderr)
+        self.rejected("render", scene, *SMALL, "--json", "--strict", where=scene)
+        self.rejected("render", self.triangle("a.bin", "a.ppm", extensionsRequired=used), *SMALL,
+                      "--json", where=scene)
 
 
 class FuzzTest(RenderTest):

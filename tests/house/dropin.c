@@ -2,7 +2,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "lobe_ggx.h"
+#include <lobe_ggx.h>
 #include <lobe/lobe.h>
 
 enum { DRAWS = 10000 };

@@ -60,7 +60,7 @@ enum { SAMPLES = 1024, RUNS = 8 };
 /* Radiance near the middle of the wall at x = 1, walls of material `m` that glow with 1, after `depth`
  * scatterings; the mean of independent runs. */
 static estimate radiance(material m, vec3 direction, int depth, int samples) {
-    m.base_texture = m.normal_texture = m.surface_texture = m.emission_texture = NO_TEXTURE;
+    m.base_map = m.normal_map = m.surface_map = m.emission_map = lobe_texture_map(NO_TEXTURE);
     m.emission = v3_all(1.0f);
     for (uint32_t i = 0; i < box->material_count; ++i) box->materials[i] = m;
     lobe_reflection_options reflection = lobe_reflection_default_options();
