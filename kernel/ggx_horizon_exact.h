@@ -13,7 +13,11 @@
 /* Largest |G - theta| after 4, 5 and 6 steps: 5e-12, below 1e-15 and below 1e-15 for all but one in 10^4 of
  * 6 10^5 draws (roughness 1e-3 to 3, a tenth of them 1e-4 to 1e4; any i, a third of them grazing); 3e-4,
  * 1e-5 and 5e-10 for all. */
-#define GGX_HORIZON_EXACT_STEPS (4 + K_IS_F64)
+#if K_IS_F64
+#define GGX_HORIZON_EXACT_STEPS 5
+#else
+#define GGX_HORIZON_EXACT_STEPS 4
+#endif
 
 K_STRUCT(ggx_horizon_exact) {
     ggx_horizon_set set;

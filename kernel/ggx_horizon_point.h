@@ -16,12 +16,9 @@
 K_STRUCT(ggx_horizon_set) {
     ggx_base g;
     ggx_horizon_frame f;
-    kint front; /* i_z > 0 */
-    real c;     /* max(i_std.z, 0) */
-    real inv_ax;
-    real inv_ay;
+    kint front;     /* i_z > 0 */
+    real c;         /* max(i_std.z, 0) */
     real rise;      /* t_i L */
-    real d_scale;   /* D = d_scale |A m|^4 */
     real pdf_scale; /* p = pdf_scale D spread */
     real share;     /* weight = share G2/G1(i) / spread */
 };
@@ -32,16 +29,10 @@ K_FN ggx_horizon_set ggx_horizon_set_of(ggx_base g, ggx_useful u) {
     s.f = ggx_horizon_frame_of(u);
     s.front = k_flag(u.i.z > R(0.0));
     s.c = u.c;
-    real axy = g.ax * g.ay;
-    real ab = s.f.a * s.f.b;
-    real inv = R(1.0) / (axy * g.t_i * ab);
-    real inv_axy = inv * g.t_i * ab;
-    s.inv_ax = g.ay * inv_axy;
-    s.inv_ay = g.ax * inv_axy;
     s.rise = g.t_i * s.f.lambda;
-    s.d_scale = K_INV_PI * inv_axy;
-    s.pdf_scale = R(0.25) * g.density_bias * axy * inv;
-    s.share = R(2.0) * ab / (g.one_plus_z * g.density_bias);
+    real four_t_ab = R(4.0) * g.t_i * s.f.a * s.f.b;
+    s.pdf_scale = g.density_bias / four_t_ab;
+    s.share = four_t_ab * g.value_scale / g.density_bias;
     return s;
 }
 
@@ -97,7 +88,7 @@ K_FN ggx_horizon_arrival ggx_horizon_arrive(ggx_horizon_set s, real v, real rest
     to.im = im;
     to.pair.m = v3_scale(am, inv);
     to.pair.cos_im = g.t_i * im * inv;
-    to.pair.d = am2 * am2 * s.d_scale;
+    to.pair.d = ggx_d_stretched(g, am2);
     /* by the m that came out, not by the formula: that keeps wo a unit vector to the last digits;
      * near the horizon, where it cancels, by what is left of v */
     v3 wo = v3_sub(v3_scale(to.pair.m, R(2.0) * v3_dot(g.wi, to.pair.m)), g.wi);
@@ -110,26 +101,17 @@ K_FN ggx_horizon_arrival ggx_horizon_arrive(ggx_horizon_set s, real v, real rest
 /* D cancels from the weight: it is made of the shadowing and the spread alone. */
 K_FN facet_draw ggx_horizon_draw_of(ggx_horizon_set s, facet_pair pair, real spread) {
     real pdf = s.pdf_scale * pair.d * spread;
-    bool valid = k_and(k_is(s.g.valid), k_and(pair.leaves, k_usable(pdf) > R(0.0)));
-    facet_draw draw;
-    draw.m = pair.m;
-    draw.wo = pair.wo;
-    draw.cos_im = pair.cos_im;
-    draw.pdf_m = k_select(k_is(s.g.valid), k_usable(R(4.0) * pair.cos_im * pdf), R(0.0));
-    draw.pdf = k_select(valid, pdf, R(0.0));
     real weight = s.share * ggx_shadowing(s.g, pair.wo) / spread;
-    draw.weight = k_select(valid, k_usable(weight), R(0.0));
-    return draw;
+    return ggx_weighted_draw(s.g, pair, R(4.0) * pair.cos_im * pdf, pdf, weight);
 }
 
-/* Where a pair comes from. */
+/* Where a pair comes from; without meaning where nothing is drawn. */
 K_STRUCT(ggx_horizon_point) {
     real v;
     real rest; /* 1 - v */
     ggx_horizon_angle e;
     real z;
     real im;
-    bool inside; /* else nothing is drawn there, and the rest has no meaning */
 };
 
 K_FN bool ggx_horizon_holds(facet_pair pair) {
@@ -138,11 +120,10 @@ K_FN bool ggx_horizon_holds(facet_pair pair) {
 
 K_FN ggx_horizon_point ggx_horizon_point_of(ggx_horizon_set s, facet_pair pair) {
     ggx_horizon_frame f = s.f;
-    v3 w = v3_of(pair.m.x * s.inv_ax, pair.m.y * s.inv_ay, pair.m.z);
+    v3 w = v3_of(pair.m.x * s.g.inv_ax, pair.m.y * s.g.inv_ay, pair.m.z);
     real am2 = R(1.0) / k_max(v3_dot(w, w), K_TINY);
     real am = k_sqrt(am2);
     ggx_horizon_point p;
-    p.inside = ggx_horizon_holds(pair);
     p.im = pair.cos_im * am / s.g.t_i;
     real from_wo = pair.wo.z * am2 / s.rise;
     real from_m = R(2.0) * p.im * pair.m.z * am / f.lambda;

@@ -56,6 +56,12 @@ K_FN real ggx_useful_next_step(real l, real x2, real y2, real cx, real cy, real 
     return l - p * p1 / (p1 * p1 - p * half_p2);
 }
 
+#if K_IS_F64
+#define GGX_USEFUL_NEXT_STEPS 2
+#else
+#define GGX_USEFUL_NEXT_STEPS 1
+#endif
+
 /* The positive eigenvalue for i_z > 0: the root of f. It is near 1 where both of cx, cy are small. Relative
  * errors over all of the roughness that a base admits: 1 (the start), 1.2e-3, 1.1e-9, below 1e-15. */
 K_FN real ggx_useful_eigenvalue(v3 i, real cx, real cy, real r) {
@@ -65,7 +71,8 @@ K_FN real ggx_useful_eigenvalue(v3 i, real cx, real cy, real r) {
     real one_cy = R(1.0) + cy;
     real l = r + (x2 * one_cy + y2 * one_cx) / (one_cx * one_cy);
     l = ggx_useful_first_step(l, x2, y2, cx, cy, r);
-    for (int step = 0; step < 1 + K_IS_F64; ++step) l = ggx_useful_next_step(l, x2, y2, cx, cy, r);
+    for (int step = 0; step < GGX_USEFUL_NEXT_STEPS; ++step)
+        l = ggx_useful_next_step(l, x2, y2, cx, cy, r);
     return l;
 }
 

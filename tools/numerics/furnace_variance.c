@@ -33,7 +33,7 @@ static const method METHODS[] = {
 };
 enum { METHOD_COUNT = sizeof METHODS / sizeof *METHODS };
 
-static const double ALPHAS[][2] = {{0.2, 0.8}, {0.1, 1}, {0.5, 1}, {0.05, 0.3},
+static const double ALPHAS[][2] = {{0.2, 0.8}, {0.1, 1},   {0.5, 1}, {0.05, 0.3},
                                    {0.3, 0.3}, {0.7, 0.7}, {1, 1}};
 static const double THETAS[] = {5, 40, 87}, PHIS[] = {0, 45, 90};
 
@@ -89,7 +89,8 @@ static moments mean_of(const method *m) {
 }
 
 int main(void) {
-    printf("Mean over 45 cases: alpha (.2,.8), (.1,1), (.5,1), (.05,.3), and .3, .7, 1; theta 5, 40, 87 "
+    printf("Mean over 45 cases: alpha (.2,.8), (.1,1), (.5,1), (.05,.3), and .3, .7, 1; theta 5, "
+           "40, 87 "
            "degrees; phi 0, 45, 90 degrees.\n\"Samples\": for a standard error of 1e-4 of the "
            "albedo.\n\n");
     printf("| method | rejected | relative variance | largest weight / mean | samples |\n"
