@@ -8,8 +8,9 @@
 #include "kernel/bind/c_f32.h"
 
 #include "kernel/arc.h"
+#include "kernel/erf.h"
+#include "kernel/erfinv.h"
 #include "kernel/kepler.h"
-#include "kernel/log.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -25,7 +26,7 @@ static double cosine_error(float u) {
 }
 
 static double spacing(double x) {
-    float f = fabsf((float)x);
+    float f = fmaxf(fabsf((float)x), 1.17549435e-38f);
     return (double)nextafterf(f, INFINITY) - (double)f;
 }
 
@@ -49,6 +50,78 @@ static double kepler_error(float t) {
     for (int step = 0; step < 3; ++step)
         root -= (root - sin(root) - (double)t) / (2 * sin(root / 2) * sin(root / 2));
     return fabs(e - root) / spacing(root);
+}
+
+static double ulps(double got, double exact) {
+    return fabs(got - exact) / spacing(exact);
+}
+
+static double exp_error(float x) {
+    return ulps(k_exp(x), exp((double)x));
+}
+
+static double exp_of_minus_error(float x) {
+    return ulps(k_exp(-x), exp(-(double)x));
+}
+
+static double erf_error(float x) {
+    return ulps(k_erf(x), erf((double)x));
+}
+
+static double erfc_error(float x) {
+    return ulps(k_erfc(x), erfc((double)x));
+}
+
+static double erfc_of_minus_error(float x) {
+    return ulps(k_erfc(-x), erfc(-(double)x));
+}
+
+/* exp(x^2) erfc(x) and 1 - sqrt(pi) x exp(x^2) erfc(x); from 30 on by their series */
+static const double root_pi = 1.7724538509055160273;
+
+static double series(double x) {
+    double y = 1 / (2 * x * x);
+    return y * (1 - 3 * y * (1 - 5 * y * (1 - 7 * y * (1 - 9 * y * (1 - 11 * y)))));
+}
+
+static double scaled_erfc(double x) {
+    return x < 20 ? (double)(expl((long double)x * x) * erfcl(x)) : (1 - series(x)) / (x * root_pi);
+}
+
+/* Below 6 by the definition, above by the continued fraction of the repeated integrals. */
+static double scaled_defect(double x) {
+    if (x > 30) return series(x);
+    long double y = x, scaled = expl(y * y) * erfcl(y);
+    if (x < 6) return (double)(1 - 1.7724538509055160273L * y * scaled);
+    double ratio = 0;
+    for (int n = 200; n >= 1; --n) ratio = 1 / (2 * x + 2 * (n + 1) * ratio);
+    return root_pi * ratio * (double)scaled;
+}
+
+static double erfcx_error(float x) {
+    return ulps(k_erfcx(x), scaled_erfc(x));
+}
+
+static double erfcx_of_minus_error(float x) {
+    return ulps(k_erfcx(-x), scaled_erfc(-(double)x));
+}
+
+static double defect_error(float x) {
+    return ulps(k_erfcx_defect(x), scaled_defect(x));
+}
+
+static double erfinv_error(float x) {
+    double z = k_erfinv(x), root = z;
+    for (int step = 0; step < 3; ++step)
+        root -= (erf(root) - (double)x) * (root_pi / 2) * exp(root * root);
+    return ulps(z, root);
+}
+
+static double erfcinv_error(float y) {
+    double z = k_erfcinv(y), root = z;
+    for (int step = 0; step < 3; ++step)
+        root += (erfc(root) - (double)y) * (root_pi / 2) * exp(root * root);
+    return ulps(z, root);
 }
 
 /* Every float from low to high, both positive. */
@@ -76,7 +149,7 @@ static void search(const char *name, const char *unit, error_function error, flo
             at = my_at;
         }
     }
-    printf("%-8s on [%g, %g]: %.3g %s at %a (%.9g)\n", name, (double)low, (double)high, worst, unit,
+    printf("%-9s on [%g, %g]: %.3g %s at %a (%.9g)\n", name, (double)low, (double)high, worst, unit,
            (double)at, (double)at);
 }
 
@@ -87,5 +160,15 @@ int main(void) {
     search("angle", "ulp", angle_error, 1e-6f, 1e6f);
     search("asinh", "ulp", asinh_error, 1e-6f, 1e6f);
     search("kepler", "ulp", kepler_error, 1e-6f, 3.14159274f);
+    search("exp", "ulp", exp_error, 0.0f, 88.7228317f);
+    search("exp(-x)", "ulp", exp_of_minus_error, 0.0f, 3.4028235e38f);
+    search("erf", "ulp", erf_error, 0.0f, 3.4028235e38f);
+    search("erfc", "ulp", erfc_error, 0.0f, 3.4028235e38f);
+    search("erfc(-x)", "ulp", erfc_of_minus_error, 0.0f, 3.4028235e38f);
+    search("erfcx", "ulp", erfcx_error, 0.0f, 1e29f);
+    search("erfcx(-x)", "ulp", erfcx_of_minus_error, 0.0f, 9.38241386f);
+    search("defect", "ulp", defect_error, 0.0f, 1e14f);
+    search("erfinv", "ulp", erfinv_error, 1.17549435e-38f, 0.99999994f);
+    search("erfcinv", "ulp", erfcinv_error, 4.5e-18f, 1.99999988f);
     return 0;
 }
