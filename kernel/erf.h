@@ -1,6 +1,7 @@
 /* kernel/erf.h: the error function and its relatives, branch-free. One rational variable,
  * t = (x - 3)/(x + 3), brings [0, inf) to [-1, 1); there (1 + 2x) exp(x^2) erfc(x) is nearly constant
- * (Shepherd & Laframboise 1981), and (1 + 2x)^2 times what it leaves of its limit nearly so.
+ * (Shepherd & Laframboise 1981), and so is
+ * (1 + 7/4 x + 2 x^2)(1 - sqrt(pi) x exp(x^2) erfc(x)).
  * Polynomials: tools/numerics/coefficients.py. */
 #ifndef K_ERF_H
 #define K_ERF_H
@@ -60,31 +61,31 @@ K_FN real k_erfcx_bend(real t) {
 #endif
 }
 
-/* b of (1 + 2x)^2 (1 - sqrt(pi) x exp(x^2) erfc(x)) = 1 + (1 + t)(1/2 + (1 - t) b) */
-K_FN real k_ierfcx_bend(real t) {
+/* b of (1 + 7/4 x + 2x^2)(1 - sqrt(pi) x exp(x^2) erfc(x)) = 1 + (1 - t^2) b */
+K_FN real k_defect_bend(real t) {
 #if K_IS_F64
-    real p = R(3.9161876785518960051e-9) + t * R(5.6193875645771364336e-10);
-    p = R(-3.9176107998990988947e-8) + t * (R(-1.5593604685436922157e-9) + t * p);
-    p = R(1.9696475038144569078e-7) + t * (R(-2.5021806583574228117e-8) + t * p);
-    p = R(-6.5922226752197310916e-7) + t * (R(2.8291669723448253678e-7) + t * p);
-    p = R(1.5105303782567442407e-6) + t * (R(-1.7770533243817954793e-6) + t * p);
-    p = R(-1.288066115109636665e-6) + t * (R(8.9954747058151978292e-6) + t * p);
-    p = R(-9.290045622667968385e-6) + t * (R(-0.000042648913449618328902) + t * p);
-    p = R(0.000049050820913206981426) + t * (R(0.00020851794738658837059) + t * p);
-    p = R(0.0002588522013863517542) + t * (R(-0.0011042530375339252077) + t * p);
-    p = R(-0.0085316089151416096928) + t * (R(0.0059988884354608744094) + t * p);
-    p = R(0.10270728770585937842) + t * (R(-0.022144942861202432819) + t * p);
-    p = R(0.085623054076902445661) + t * (R(-0.17180919226265292053) + t * p);
-    p = R(-0.68209354336822093623) + t * (R(0.24642741462924224864) + t * p);
-    return R(0.86112187998766364108) + t * p;
+    real p = R(1.9717260958250515966e-9) + t * R(3.3250374071461788863e-10);
+    p = R(-1.9941070816174790514e-8) + t * (R(-1.317295437689674297e-9) + t * p);
+    p = R(1.0212792160526480422e-7) + t * (R(-9.662574961496550279e-9) + t * p);
+    p = R(-3.5415719019809794698e-7) + t * (R(1.3135169841712245685e-7) + t * p);
+    p = R(8.8825600845471401278e-7) + t * (R(-8.6434992465057977957e-7) + t * p);
+    p = R(-1.3060798797036785223e-6) + t * (R(4.4843599857913145086e-6) + t * p);
+    p = R(-1.2798605974424146397e-6) + t * (R(-0.0000216149845437641118) + t * p);
+    p = R(5.496221453193605174e-6) + t * (R(0.00010662979264287617929) + t * p);
+    p = R(0.00025309523403796548314) + t * (R(-0.00056275142047443066439) + t * p);
+    p = R(-0.0051078359161810991525) + t * (R(0.0029746283092841634528) + t * p);
+    p = R(0.054685508035519021734) + t * (R(-0.0094921158360563634148) + t * p);
+    p = R(0.11613877219208768529) + t * (R(-0.11080861450068068858) + t * p);
+    p = R(-0.12109454066093291319) + t * (R(-0.022676162620612995143) + t * p);
+    return R(0.16851439978981312849) + t * p;
 #else
-    real p = R(1.947256714629475e-05) + t * R(0.00011357980838511139);
-    p = R(0.0002943837898783386) + t * (R(-0.0010007784003391862) + t * p);
-    p = R(-0.008552382700145245) + t * (R(0.005940763745456934) + t * p);
-    p = R(0.10271327197551727) + t * (R(-0.022128580138087273) + t * p);
-    p = R(0.08562227338552475) + t * (R(-0.17181114852428436) + t * p);
-    p = R(-0.6820935010910034) + t * (R(0.24642741680145264) + t * p);
-    return R(0.8611218929290771) + t * p;
+    real p = R(-1.576705471961759e-06) + t * R(5.8275887568015605e-05);
+    p = R(0.00026234416873194277) + t * (R(-0.000509955279994756) + t * p);
+    p = R(-0.005113404709845781) + t * (R(0.0029449432622641325) + t * p);
+    p = R(0.054687127470970154) + t * (R(-0.009483755566179752) + t * p);
+    p = R(0.11613857001066208) + t * (R(-0.11080963909626007) + t * p);
+    p = R(-0.12109453231096268) + t * (R(-0.022676128894090652) + t * p);
+    return R(0.1685144007205963) + t * p;
 #endif
 }
 
@@ -95,11 +96,23 @@ K_FN real k_erfcx_rise(real a) {
     return t1 * (R(0.06418958354775628695) + (R(2.0) - t1) * b);
 }
 
-/* The quotient of two sums of two numbers, (p + p_low)/(1 + 2a): what 1 + 2a loses is carried too. */
-K_FN real k_over_one_plus_twice(real p, real p_low, real a) {
-    real d = R(1.0) + R(2.0) * a;
-    real from_a = d - R(1.0);
-    real d_low = (R(1.0) - (d - from_a)) + (R(2.0) * a - from_a);
+/* What the sum a + b loses to rounding, sum = fl(a + b). */
+K_FN real k_sum_lost(real a, real b, real sum) {
+    real from_b = sum - a;
+    return (a - (sum - from_b)) + (b - from_b);
+}
+
+/* What the product a b loses to rounding, from halves that multiply exactly. */
+K_FN real k_product_lost(real a, real b, real product) {
+    real a_high = k_upper_half(a);
+    real b_high = k_upper_half(b);
+    real a_low = a - a_high;
+    real b_low = b - b_high;
+    return ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low;
+}
+
+/* The quotient of two sums of two numbers, (p + p_low)/(d + d_low). */
+K_FN real k_quotient(real p, real p_low, real d, real d_low) {
     real v = p / d;
     return v + (p_low - v * d_low) / d;
 }
@@ -109,7 +122,8 @@ K_FN real k_erfcx_positive(real x) {
     real a = k_min(k_max(x, R(0.0)), K_HUGE);
     real rest = k_erfcx_rise(a);
     real p = R(1.0) + rest;
-    return k_over_one_plus_twice(p, (R(1.0) - p) + rest, a);
+    real d = R(1.0) + R(2.0) * a;
+    return k_quotient(p, (R(1.0) - p) + rest, d, k_sum_lost(R(1.0), R(2.0) * a, d));
 }
 
 /* erfc of |x|: 2^n (1 + tail)(1 + rise)/(1 + 2a); the product as a sum of two numbers */
@@ -120,8 +134,9 @@ K_FN real k_erfc_abs(real x) {
     real leading = R(1.0) + e.tail;
     real rest = rise + (rise * e.tail + ((R(1.0) - leading) + e.tail));
     real p = leading + rest;
-    real p_low = (leading - p) + rest;
-    return k_scale_by_power(k_over_one_plus_twice(p, p_low, a), e.n);
+    real d = R(1.0) + R(2.0) * a;
+    real d_low = k_sum_lost(R(1.0), R(2.0) * a, d);
+    return k_scale_by_power(k_quotient(p, (leading - p) + rest, d, d_low), e.n);
 }
 
 K_FN real k_erfc(real x) {
@@ -151,9 +166,13 @@ K_FN real k_erfcx(real x) {
 K_FN real k_erfcx_defect(real x) {
     real a = k_min(k_max(x, R(0.0)), R(0.1) * k_sqrt(K_HUGE));
     real t1 = k_half_line(a);
-    real d = R(1.0) + R(2.0) * a;
-    real b = k_ierfcx_bend(t1 - R(1.0));
-    return (R(1.0) + t1 * (R(0.5) + (R(2.0) - t1) * b)) / (d * d);
+    real rest = t1 * (R(2.0) - t1) * k_defect_bend(t1 - R(1.0));
+    real p = R(1.0) + rest;
+    real w = R(1.75) + R(2.0) * a;
+    real aw = a * w;
+    real d = R(1.0) + aw;
+    real aw_low = k_product_lost(a, w, aw) + a * k_sum_lost(R(1.75), R(2.0) * a, w);
+    return k_quotient(p, (R(1.0) - p) + rest, d, k_sum_lost(R(1.0), aw, d) + aw_low);
 }
 
 #endif

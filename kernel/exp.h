@@ -70,18 +70,24 @@ K_FN real k_exp(real x) {
     return k_scale_by_power(R(1.0) + e.tail, e.n);
 }
 
-/* exp(sign x^2). x = high + low with high^2 exact: the square in two numbers. |x| is cut where the result
- * is 0 or infinite. */
+/* x without the lower half of its digits: its square, and its product with another such, is exact. */
+K_FN real k_upper_half(real x) {
+#if K_IS_F64
+    return k_from_bits(k_bits(x) & K_INT(-134217728)); /* all but 27 bits */
+#else
+    return k_from_bits(k_bits(x) & K_INT(-4096)); /* all but 12 bits */
+#endif
+}
+
+/* exp(sign x^2), the square in two numbers. |x| is cut where the result is 0 or infinite. */
 K_FN k_exp_parts k_exp_split_square(real x, real sign) {
 #if K_IS_F64
-    kint mask = K_INT(-134217728); /* all but 27 bits */
     real most = R(28.0);
 #else
-    kint mask = K_INT(-4096); /* all but 12 bits */
     real most = R(11.0);
 #endif
     real a = k_min(k_abs(x), most);
-    real high = k_from_bits(k_bits(a) & mask);
+    real high = k_upper_half(a);
     return k_exp_split(sign * (high * high), sign * ((a - high) * (a + high)));
 }
 

@@ -100,16 +100,16 @@ def erfcx_bend(t):
     return (((1 + 2 * x) * scaled - 1) / (1 + t) - end) / (1 - t)
 
 
-def ierfcx_bend(t):
-    """b of (1 + 2x)^2 (1 - sqrt(pi) x exp(x^2) erfc(x)) = 1 + (1 + t)(1/2 + (1 - t) b)"""
-    if t > 1 - mpf(10) ** -12:
-        return mpf(5) / 12
-    if t < mpf(10) ** -12 - 1:
-        return (11 - 3 * sqrt(pi)) / 4
-    x = half_line(t)
+def defect_bend(t):
+    """b of (1 + 7/4 x + 2x^2)(1 - sqrt(pi) x exp(x^2) erfc(x)) = 1 + (1 - t^2) b"""
+    x = half_line(t) if t < 1 else mpf(10) ** 50
+    if x > mpf(10) ** 12:
+        return mpf(7) / 96
+    if x < mpf(10) ** -12:
+        return (mpf(7) / 4 - sqrt(pi)) * mpf(3) / 4
     near = 1 - sqrt(pi) * x * exp(x * x) * erfc(x) if x < 25 else 0
     scaled = near if x < 25 else -far_series(x, 1)
-    return (((1 + 2 * x) ** 2 * scaled - 1) / (1 + t) - mpf(1) / 2) / (1 - t)
+    return ((1 + x * (mpf(7) / 4 + 2 * x)) * scaled - 1) / ((1 + t) * (1 - t))
 
 
 def erfinv_ratio(w):
@@ -148,7 +148,7 @@ FITS = [
     ("exp.h", "tail", exp_tail, "-0.34658", "0.34658", (11,)),
     ("erf.h", "erf ratio", erf_ratio, 0, 1, (12,)),
     ("erf.h", "erfcx bend", erfcx_bend, -1, 1, (25,)),
-    ("erf.h", "ierfcx bend", ierfcx_bend, -1, 1, (27,)),
+    ("erf.h", "defect bend", defect_bend, -1, 1, (27,)),
     ("erfinv.h", "near", erfinv_ratio, 0, "6.25", (24,)),
     ("erfinv.h", "far", erfinv_far(12, "3.82"), -1, 1, (20,)),
     ("erfinv.h", "farthest", erfinv_far(mpf("14.5"), "2.43"), -1, 1, (20,)),
@@ -159,7 +159,7 @@ SINGLE_FITS = [
     ("exp.h", "tail", exp_tail, "-0.34658", "0.34658", 5),
     ("erf.h", "erf ratio", erf_ratio, 0, 1, 7),
     ("erf.h", "erfcx bend", erfcx_bend, -1, 1, 12),
-    ("erf.h", "ierfcx bend", ierfcx_bend, -1, 1, 13),
+    ("erf.h", "defect bend", defect_bend, -1, 1, 13),
     ("erfinv.h", "near", erfinv_ratio, 0, "6.25", 11),
     ("erfinv.h", "far", erfinv_far(8, "2.24"), -1, 1, 11),
 ]
