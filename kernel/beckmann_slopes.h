@@ -136,9 +136,10 @@ K_FN real beckmann_slopes_start(beckmann_slopes r, real deep, real shallow) {
 
     /* x = c (1 - exp(-t/c)) keeps its second order with a smaller bend */
     real inv_c = R(1.0) / k_max(c, K_TINY);
-    real flat = k_max(bend - R(0.5) * slope * inv_c, R(0.0));
-    real t_flat = R(2.0) * l / k_max(slope + k_sqrt(slope * slope + R(4.0) * flat * l), K_TINY);
-    real near_end = c * (R(1.0) - k_exp(-(t_flat * inv_c)));
+    real straight = k_max(bend - R(0.5) * slope * inv_c, R(0.0));
+    real t_straight =
+        R(2.0) * l / k_max(slope + k_sqrt(slope * slope + R(4.0) * straight * l), K_TINY);
+    real near_end = c * (R(1.0) - k_exp(-(t_straight * inv_c)));
     real weight = c * c / (c * c + R(4.0));
     real x = near_end + weight * (k_min(t, c) - near_end);
     x = k_max(x, c - r.end_gap * k_sqrt(shallow));
