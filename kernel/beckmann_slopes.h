@@ -59,7 +59,8 @@ K_FN beckmann_slopes beckmann_slopes_of(real c) {
     real rise = K_SQRT_PI * r.c_plus;
     r.deep_0 = k_select(above, (R(1.0) + rise) / r.k, R(1.0));
     r.shallow_0 = k_max(rise - R(1.0) + r.end, K_TINY) / r.k;
-    r.end_gap = k_sqrt(r.k) * k_exp(R(0.5) * k_min(r.c_plus * r.c_plus, R(80.0)));
+    real near = k_min(r.c_plus, R(9.0));
+    r.end_gap = k_select(r.c_plus < R(9.0), k_sqrt(r.k) * k_exp(R(0.5) * near * near), K_HUGE);
     r.t_least = -r.c_plus;
     r.t_most = beckmann_slopes_bottom(r.c_plus, r.s, r.k);
     r.deep_most = R(0.0);
