@@ -6,7 +6,8 @@
  * it keeps its digits; above, t is minus the slope. With c+ = max(c, 0) the share of slopes deeper than t is
  *     t >= 0:  exp(-t (t + 2s)) k(t)/K,  k = 1 + sqrt(pi) c erfcx(t)  or  (t + s defect(s + t))/(s + t),
  *     t < 0:   1 - (exp(-t^2)(sqrt(pi) c erfcx(-t) - 1) + exp(-c^2) defect(c))/K:
- * every term positive where its share is small, nothing underflows. The inverse is found by steps of
+ * every term positive where its share is small, nothing underflows. Within about one of c, where these cancel,
+ * the share between c and c - g is an integral over g, by Gauss quadrature. The inverse is found by steps of
  * Halley's third-order method inside a bracket (Jakob 2014 and Tokuyoshi 2021 take Newton steps without
  * one), from a start that is exact for c = 0, at both ends, and to second order at t = 0. */
 #ifndef K_BECKMANN_SLOPES_H
@@ -25,6 +26,7 @@ K_STRUCT(beckmann_slopes) {
     real end;           /* exp(-c^2) defect(c), for c >= 0 */
     real deep_0;        /* share deeper than t = 0 */
     real shallow_0;     /* share above it */
+    real near;          /* exp(-c+^2)/K */
     real end_gap;       /* c - x is at most end_gap sqrt(share above x) */
     real t_least;       /* the range: depth of its greatest slope */
     real t_most;        /* and of its smallest */
@@ -38,6 +40,7 @@ K_STRUCT(beckmann_slopes) {
 K_STRUCT(beckmann_shares) {
     real deep;
     real shallow;
+    bool by_deep;
 };
 
 /* Beyond this depth lies nothing that a random number can reach: a share of K_EPS^2. */
@@ -54,8 +57,10 @@ K_FN beckmann_slopes beckmann_slopes_of(real c) {
     beckmann_slopes r;
     r.c_plus = k_select(above, a, R(0.0));
     r.s = k_select(above, R(0.0), a);
-    r.end = k_select(above, k_exp_minus_square(a) * defect, R(0.0));
+    real peak = k_select(above, k_exp_minus_square(a), R(1.0));
+    r.end = k_select(above, peak * defect, R(0.0));
     r.k = k_select(above, R(2.0) * K_SQRT_PI * r.c_plus + r.end, defect);
+    r.near = peak / r.k;
     real rise = K_SQRT_PI * r.c_plus;
     r.deep_0 = k_select(above, (R(1.0) + rise) / r.k, R(1.0));
     r.shallow_0 = k_max(rise - R(1.0) + r.end, K_TINY) / r.k;
@@ -70,7 +75,36 @@ K_FN beckmann_slopes beckmann_slopes_of(real c) {
     return r;
 }
 
-/* The shares on both sides of depth t; whichever is not small is 1 minus the other. */
+/* exp(c^2 - x^2) at the slope x = c - v */
+K_FN real beckmann_gaussian_at(real v, real c) {
+    return k_exp(v * (R(2.0) * c - v));
+}
+
+/* int_0^1 2 h exp(c^2 - (c - g h)^2) dh by Gauss quadrature (tools/numerics/gauss_nodes.py) */
+K_FN real beckmann_near_integral(real g, real c) {
+#if K_IS_F64
+    real sum =
+        R(0.0043616941715462617451) * beckmann_gaussian_at(R(0.036257812883209460941) * g, c);
+    sum = sum + R(0.024120008569570758103) * beckmann_gaussian_at(R(0.11807897878999870019) * g, c);
+    sum = sum + R(0.063609642982108002523) * beckmann_gaussian_at(R(0.23717698481496038532) * g, c);
+    sum = sum + R(0.11680239059033022113) * beckmann_gaussian_at(R(0.38188276530470597536) * g, c);
+    sum = sum + R(0.16871664368984069879) * beckmann_gaussian_at(R(0.53802959891898906512) * g, c);
+    sum = sum + R(0.20061761838673657931) * beckmann_gaussian_at(R(0.69033242007236218294) * g, c);
+    sum = sum + R(0.19706748434469141032) * beckmann_gaussian_at(R(0.82388334383700471814) * g, c);
+    sum = sum + R(0.15214851021861632516) * beckmann_gaussian_at(R(0.92561261029080395536) * g, c);
+    sum = sum + R(0.072556007046559742919) * beckmann_gaussian_at(R(0.98558759035112345137) * g, c);
+#else
+    real sum = R(0.031495829043384552371) * beckmann_gaussian_at(R(0.098535085798826426123) * g, c);
+    sum = sum + R(0.1478177401452333407) * beckmann_gaussian_at(R(0.30453572664636390549) * g, c);
+    sum = sum + R(0.2927739741693396174) * beckmann_gaussian_at(R(0.56202518975261385599) * g, c);
+    sum = sum + R(0.33434927618873913098) * beckmann_gaussian_at(R(0.80198658212639182746) * g, c);
+    sum = sum + R(0.19356318045330335855) * beckmann_gaussian_at(R(0.96019014294853125766) * g, c);
+#endif
+    return sum;
+}
+
+/* The shares on both sides of depth t; `by_deep` tells which of the two has all its digits: the other is 1
+ * minus it. */
 K_FN beckmann_shares beckmann_slopes_shares(beckmann_slopes r, real t) {
     bool below_zero = t >= R(0.0);
     real a = k_abs(t);
@@ -81,9 +115,16 @@ K_FN beckmann_shares beckmann_slopes_shares(beckmann_slopes r, real t) {
     real scaled = K_SQRT_PI * r.c_plus * erfcx;
     real deep = e * k_select(r.s > R(0.0), under, R(1.0) + scaled) / r.k;
     real shallow = k_max(e * (scaled - R(1.0)) + r.end, R(0.0)) / r.k;
+    real gap = r.c_plus + t;
+    bool near = gap * (gap + R(2.0) * r.s) < R(1.0) && r.c_plus < R(1.0);
+    real near_gap = k_select(near, k_max(gap, R(0.0)), R(0.0));
+    real near_shallow =
+        near_gap * near_gap * r.near * beckmann_near_integral(near_gap, r.c_plus - r.s);
+    shallow = k_select(near, near_shallow, shallow);
     beckmann_shares shares;
-    shares.deep = k_select(below_zero, k_min(deep, R(1.0)), R(1.0) - shallow);
-    shares.shallow = k_select(below_zero, R(1.0) - shares.deep, shallow);
+    shares.by_deep = below_zero && !near;
+    shares.deep = k_select(shares.by_deep, k_min(deep, R(1.0)), R(1.0) - shallow);
+    shares.shallow = k_select(shares.by_deep, R(1.0) - shares.deep, shallow);
     return shares;
 }
 
@@ -158,7 +199,7 @@ K_FN real beckmann_slopes_inverse(beckmann_slopes r, real u, real v) {
     real t = k_min(k_max(beckmann_slopes_start(r, deep, shallow), low), high);
     for (int step = 0; step < 2 + K_IS_F64; ++step) {
         beckmann_shares at = beckmann_slopes_shares(r, t);
-        real excess = k_select(t >= R(0.0), at.deep - deep, shallow - at.shallow);
+        real excess = k_select(at.by_deep, at.deep - deep, shallow - at.shallow);
         low = k_select(excess >= R(0.0), t, low);
         high = k_select(excess <= R(0.0), t, high);
         real newton = excess / k_max(beckmann_slopes_density(r, t), K_TINY);
