@@ -1,0 +1,167 @@
+/* kernel/beckmann_horizon.h: visible normals whose reflection leaves, and no others. A microfacet of slope S
+ * reflects i above the surface iff |S + i_xy/i_z| <= 1/i_z: the useful slopes fill a disk, whatever their
+ * distribution. In the stretched frame turned to i it is the ellipse
+ *     q11 x^2 + 2 q12 x y + q22 y^2 + 2 x/c <= 1,
+ * that spans x0 < x < x1 < c along i and, at x, a chord of half width w about y = -(q12/q22) x. The slope
+ * along i is drawn from the visible ones between x0 and x1 (kernel/beckmann_slopes.h), the slope across from the
+ * Gaussian on the chord: nothing is rejected.
+ *     p(o) = D/(2 V) q(u)/(Z_x Z_y(x)),
+ * Z_x and Z_y the shares in the range and on the chord, u the share of the range that lies deeper than x.
+ * With q = 1 the variance is that of 1/Z_y; here q follows Z_y, which it meets in proportion at three
+ * slopes, and p is all but a constant times the visible density. Relative furnace variance, mean of 48 cases:
+ * 0.164 drawing all visible normals, 0.070 with q = 1, 0.043 like this, 0.0435 for a constant.
+ * The frame turns with the azimuth of i: at normal incidence the map has a seam.
+ *
+ * From behind every reflection leaves: there these are all visible normals. */
+#ifndef K_BECKMANN_HORIZON_H
+#define K_BECKMANN_HORIZON_H
+
+#include "beckmann_visible.h"
+#include "quadratic_spline.h"
+
+K_STRUCT(beckmann_horizon) {
+    beckmann_base g;
+    facet_azimuth azimuth;
+    beckmann_slopes slopes;
+    real mass;    /* Z_x */
+    real x1;      /* the greatest useful slope along i */
+    real falling; /* 1/c + sqrt(1/c^2 + bend): w^2 = (x1 - x)(bend x + falling)/q22 */
+    real bend;    /* det q/q22 */
+    real q22;
+    real tilt; /* -q12/q22: the chord's centre is tilt x */
+    quadratic_spline along;
+    bool limited;
+};
+
+/* The useful slopes across i at a slope along it. */
+K_STRUCT(beckmann_chord) {
+    real centre;
+    real w;
+};
+
+K_FN beckmann_chord beckmann_horizon_chord(beckmann_horizon s, real x) {
+    real room = k_max(s.x1 - x, K_EPS * s.x1);
+    real left = k_max(s.bend * x + s.falling, K_EPS * s.falling);
+    beckmann_chord chord;
+    chord.centre = s.tilt * x;
+    chord.w = k_sqrt(room * left / s.q22);
+    return chord;
+}
+
+/* exp(-(centre + h w)^2) + exp(-(centre - h w)^2) */
+K_FN real beckmann_chord_pair(beckmann_chord chord, real h) {
+    return k_exp_minus_square(chord.centre + h * chord.w) +
+           k_exp_minus_square(chord.centre - h * chord.w);
+}
+
+/* Z_y: share of the Gaussian on the chord; a short one by Gauss-Legendre quadrature. */
+K_FN real beckmann_chord_share(beckmann_chord chord) {
+#if K_IS_F64
+    real is_short = R(0.1);
+#else
+    real is_short = R(0.5);
+#endif
+    real a = k_abs(chord.centre);
+    real exact = R(0.5) * (k_erfc(a - chord.w) - k_erfc(a + chord.w));
+    real sum = R(0.56888888888888888889) * k_exp_minus_square(chord.centre) +
+               R(0.47862867049936646804) * beckmann_chord_pair(chord, R(0.53846931010568309104)) +
+               R(0.23692688505618908751) * beckmann_chord_pair(chord, R(0.90617984593866399280));
+    return k_select(chord.w < is_short, R(0.5) * K_INV_SQRT_PI * chord.w * sum, exact);
+}
+
+/* Z_y where the share u of the range is deeper */
+K_FN real beckmann_horizon_chord_at(beckmann_horizon s, real u) {
+    real t = beckmann_slopes_inverse(s.slopes, u, R(1.0) - u);
+    return beckmann_chord_share(beckmann_horizon_chord(s, -t));
+}
+
+K_FN beckmann_horizon beckmann_horizon_prepare(beckmann_base g) {
+    beckmann_horizon s;
+    s.g = g;
+    s.azimuth = facet_azimuth_of(g.i_std);
+    s.limited = g.wi.z > R(0.0);
+    real x2 = s.azimuth.x * s.azimuth.x;
+    real y2 = s.azimuth.y * s.azimuth.y;
+    real ax2 = g.ax * g.ax;
+    real ay2 = g.ay * g.ay;
+    s.q22 = ax2 * y2 + ay2 * x2;
+    s.tilt = (ax2 - ay2) * s.azimuth.x * s.azimuth.y / s.q22;
+    s.bend = ax2 * ay2 / s.q22;
+    real inv_c = R(1.0) / k_select(s.limited, g.c, R(1.0));
+    s.falling = inv_c + k_sqrt(inv_c * inv_c + s.bend);
+    s.x1 = R(1.0) / s.falling;
+    beckmann_slopes all = beckmann_slopes_of(g.c);
+    s.slopes = beckmann_slopes_between(all, k_select(s.limited, -s.x1, all.t_least),
+                                       k_select(s.limited, s.falling / s.bend, all.t_most));
+    s.mass = k_select(s.limited, k_max(beckmann_slopes_mass(s.slopes), K_TINY), R(1.0));
+    real middle = k_max(beckmann_horizon_chord_at(s, R(0.5)), K_TINY);
+    real least = R(0.1) * middle;
+    real deep = k_max(beckmann_horizon_chord_at(s, R(0.02)), least);
+    real shallow = k_max(beckmann_horizon_chord_at(s, R(0.98)), least);
+    s.along =
+        quadratic_spline_of(k_select(s.limited, deep, R(1.0)), k_select(s.limited, middle, R(1.0)),
+                            k_select(s.limited, shallow, R(1.0)));
+    return s;
+}
+
+/* Density over that of the visible normals, at the slope x along i. */
+K_FN real beckmann_horizon_gain(beckmann_horizon s, real x) {
+    beckmann_shares at = beckmann_slopes_shares(s.slopes, -x);
+    real by_deep = (at.deep - s.slopes.deep_most) / s.mass;
+    real by_shallow = R(1.0) - (at.shallow - s.slopes.shallow_least) / s.mass;
+    real u = k_saturate(k_select(at.by_deep, by_deep, by_shallow));
+    real chord = k_max(beckmann_chord_share(beckmann_horizon_chord(s, x)), K_TINY);
+    real gain = quadratic_spline_density(s.along, u) / (s.mass * chord);
+    return k_select(s.limited, gain, R(1.0));
+}
+
+/* The slope along i of a normal */
+K_FN real beckmann_horizon_slope_along(beckmann_horizon s, v3 m) {
+    real inv_z = R(1.0) / k_max(m.z, K_TINY);
+    return -(s.azimuth.x * m.x / s.g.ax + s.azimuth.y * m.y / s.g.ay) * inv_z;
+}
+
+K_FN real beckmann_horizon_pdf(beckmann_horizon s, facet_pair pair) {
+    real x = beckmann_horizon_slope_along(s, pair.m);
+    return beckmann_visible_pdf(s.g, pair) * beckmann_horizon_gain(s, x);
+}
+
+/* Normals outside the disk are never drawn. */
+K_FN real beckmann_horizon_pdf_m(beckmann_horizon s, facet_pair pair) {
+    real pdf_m = R(4.0) * k_max(pair.cos_im, R(0.0)) * beckmann_horizon_pdf(s, pair);
+    return k_select(pair.wo.z > R(0.0), pdf_m, R(0.0));
+}
+
+/* All leave the surface; with a second plane the share has no closed form. */
+K_FN real beckmann_horizon_acceptance(beckmann_horizon s) {
+    return k_select(s.g.tilted, R(-1.0), R(1.0));
+}
+
+/* Distance of a slope on the chord from its centre; the side of the chord that is nearer to 0 keeps its
+ * digits. */
+K_FN real beckmann_chord_offset(beckmann_chord chord, real u) {
+    real a = k_abs(chord.centre);
+    bool mirrored = chord.centre < R(0.0);
+    real v = k_select(mirrored, u, R(1.0) - u);
+    real share = v * k_erfc(a - chord.w) + (R(1.0) - v) * k_erfc(a + chord.w);
+    real most = chord.w * (R(1.0) - R(4.0) * K_EPS);
+    real offset = k_min(k_max(k_erfcinv(share) - a, -most), most);
+    return k_select(mirrored, -offset, offset);
+}
+
+/* o_z = i_z q22 (w^2 - (y - centre)^2) m_z^2: positive whatever is rounded, and 0 at the rim. */
+K_FN facet_draw beckmann_horizon_draw(beckmann_horizon s, real u1, real u2, real u3) {
+    real u = quadratic_spline_inverse(s.along, u1);
+    real t = beckmann_slopes_inverse(s.slopes, u, R(1.0) - u);
+    beckmann_chord chord = beckmann_horizon_chord(s, -t);
+    real offset = beckmann_chord_offset(chord, u2);
+    real across = k_select(s.limited, chord.centre + offset, beckmann_gaussian(u2));
+    facet_pair pair = beckmann_pair_of_depth(s.g, s.azimuth, t, across);
+    real rim = (chord.w - offset) * (chord.w + offset) * s.q22;
+    pair.wo.z = k_select(s.limited, s.g.wi.z * rim * pair.m.z * pair.m.z, pair.wo.z);
+    pair.leaves = facet_leaves(pair.wo, s.g.plane) && pair.cos_im > R(0.0);
+    return beckmann_draw_of(s.g, pair, beckmann_horizon_pdf_m(s, pair),
+                            beckmann_horizon_pdf(s, pair));
+}
+
+#endif
