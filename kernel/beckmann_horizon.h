@@ -66,7 +66,7 @@ K_FN real beckmann_chord_share(beckmann_chord chord) {
     real sum = R(0.56888888888888888889) * k_exp_minus_square(chord.centre) +
                R(0.47862867049936646804) * beckmann_chord_pair(chord, R(0.53846931010568309104)) +
                R(0.23692688505618908751) * beckmann_chord_pair(chord, R(0.90617984593866399280));
-    return k_select(chord.w < is_short, R(0.5) * K_INV_SQRT_PI * chord.w * sum, exact);
+    return k_select(chord.w < is_short, K_INV_SQRT_PI * chord.w * sum, exact);
 }
 
 /* Z_y where the share u of the range is deeper */
@@ -79,7 +79,7 @@ K_FN beckmann_horizon beckmann_horizon_prepare(beckmann_base g) {
     beckmann_horizon s;
     s.g = g;
     s.azimuth = facet_azimuth_of(g.i_std);
-    s.limited = g.wi.z > R(0.0);
+    s.limited = g.c > K_EPS * K_EPS; /* at the horizon itself the disk is a half-plane */
     real x2 = s.azimuth.x * s.azimuth.x;
     real y2 = s.azimuth.y * s.azimuth.y;
     real ax2 = g.ax * g.ax;
