@@ -24,10 +24,15 @@ static beckmann_base base_at(double theta, double phi, double ax, double ay) {
                             facet_options_of(false, false));
 }
 
+/* The depth where exp(-t (t + 2s)) is exp(-36). */
+static double bottom_of(double s) {
+    return 36 / (s + sqrt(s * s + 36));
+}
+
 /* V(i)/2 exp(shift) = int (c - x)+ b exp(shift - x^2)/sqrt(pi) dx by Simpson's rule in the depth. */
 static double visible_by_quadrature(beckmann_base g) {
     const int cells = 4000;
-    double c = g.c, s = fmax(-c, 0), top = fmax(-c, -8), bottom = 40 / (s + 6.5);
+    double c = g.c, s = fmax(-c, 0), top = fmax(-c, -8), bottom = bottom_of(s);
     double low = c < 0 ? 0 : top, sum = 0;
     for (int k = 0; k <= cells; ++k) {
         double t = low + (bottom - low) * k / cells;
@@ -129,7 +134,7 @@ static v3 normal_at(beckmann_base g, double t, double y) {
 /* int pdf_m over all visible normals, or over all for `ndf`, by the midpoint rule in slopes. */
 static double integral_of_density(const sampler *s, beckmann_base g) {
     const int cells = 250;
-    double depth = fmax(-(double)g.c, 0), bottom = 40 / (depth + 6.5), sum = 0;
+    double depth = fmax(-(double)g.c, 0), bottom = bottom_of(depth), sum = 0;
     double top = s == &ndf ? -6 - depth : -fmin(fmax((double)g.c, 0), 6);
     if (s == &ndf) bottom = 6;
     for (int j = 0; j < cells; ++j)
