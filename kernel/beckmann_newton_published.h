@@ -46,7 +46,8 @@ K_FN real beckmann_published_slope(real c, real least, real u1) {
         real z = k_erfinv(x);
         real value = x + tan_over_root_pi * k_exp_minus_square(z) - target;
         x = x - value / (R(1.0) - z * tan_over_root_pi * K_SQRT_PI);
-        x = k_min(k_max(x, -K_BELOW_ONE), K_BELOW_ONE); /* where the inverse error function is defined */
+        x = k_min(k_max(x, -K_BELOW_ONE),
+                  K_BELOW_ONE); /* where the inverse error function is defined */
     }
     return k_erfinv(x);
 }

@@ -96,21 +96,6 @@ K_FN real k_erfcx_rise(real a) {
     return t1 * (R(0.06418958354775628695) + (R(2.0) - t1) * b);
 }
 
-/* What the sum a + b loses to rounding, sum = fl(a + b). */
-K_FN real k_sum_lost(real a, real b, real sum) {
-    real from_b = sum - a;
-    return (a - (sum - from_b)) + (b - from_b);
-}
-
-/* What the product a b loses to rounding, from halves that multiply exactly. */
-K_FN real k_product_lost(real a, real b, real product) {
-    real a_high = k_upper_half(a);
-    real b_high = k_upper_half(b);
-    real a_low = a - a_high;
-    real b_low = b - b_high;
-    return ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low;
-}
-
 /* The quotient of two sums of two numbers, (p + p_low)/(d + d_low). */
 K_FN real k_quotient(real p, real p_low, real d, real d_low) {
     real v = p / d;
