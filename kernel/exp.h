@@ -94,4 +94,8 @@ K_FN real k_exp_minus_square(real x) {
     return k_scale_by_power(R(1.0) + e.tail, e.n);
 }
 
+/* Worst errors, every float whose result is neither 1, 0 nor infinite (tools/numerics/worst_error.c): 0.96 ulp at
+ * x = 0x1.20654cp+2, below zero 0.95 ulp at x = -0x1.c12872p+4. Double: 0.8 ulp on the points of
+ * tests/kernel/special_vectors.h. */
+
 #endif
