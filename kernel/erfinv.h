@@ -98,4 +98,7 @@ K_FN real k_erfcinv(real y) {
     return k_erfinv_of(R(1.0) - y, k_log_split(y * (R(2.0) - y)));
 }
 
+/* Worst errors, every float (tools/numerics/worst_error.c): erfinv 1.39 ulp at 0x1.200e5ap-7, erfcinv 2.09 ulp at
+ * 0x1.f8b8ccp-26. Double: below 2.2 ulp on the points of tests/kernel/special_vectors.h. */
+
 #endif
