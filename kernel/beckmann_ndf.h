@@ -39,4 +39,11 @@ K_FN real beckmann_ndf_acceptance(beckmann_ndf s) {
     return R(-1.0);
 }
 
+/* Worst errors of a draw in float, 3 10^5 random inputs (tools/numerics/beckmann_error.c: roughness 0.01 to 2,
+ * either side, c above -10).
+ * wo:  5.6e-07 at wi (0x1.cde14p-1, 0x1.a20296p-2, 0x1.1e6fd8p-3),
+ *      alpha (0x1.8ae42ep-1, 0x1.8ae42ep-1) u (0x1.e73f7ep-1, 0x1.da658p-4)
+ * pdf: 0.0061 relative at wi (-0x1.726426p-3, 0x1.afefe4p-1, -0x1.02d7f8p-1),
+ *      alpha (0x1.08406p+0, 0x1.08406p+0) u (0x1.1ad11p-2, 0x1.2b73dp-2): i.m is small there */
+
 #endif

@@ -48,4 +48,11 @@ K_FN facet_draw beckmann_newton_draw(beckmann_newton s, real u1, real u2, real u
     return beckmann_visible_draw(s.g, beckmann_pair_of_depth(s.g, s.azimuth, t, across));
 }
 
+/* Worst errors of a draw in float, 3 10^5 random inputs (tools/numerics/beckmann_error.c: roughness 0.01 to 2,
+ * either side, c above -10).
+ * wo:  7.4e-07 at wi (-0x1.2f671cp-2, 0x1.bb727ep-3, 0x1.dc471p-1),
+ *      alpha (0x1.226eecp-4, 0x1.f85cd4p+0) u (0x1.2ac91p-1, 0x1.34ffep-1)
+ * pdf: 4.2e-05 relative at wi (0x1.3d0d7ep-1, -0x1.1e8ad2p-6, -0x1.91ec1p-1),
+ *      alpha (0x1.052c04p-3, 0x1.052c04p-3) u (0x1.969d84p-1, 0x1.c16914p-2): the rounding of m, c^2 times */
+
 #endif

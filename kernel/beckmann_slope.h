@@ -83,4 +83,11 @@ K_FN facet_draw beckmann_slope_draw(beckmann_slope s, real u1, real u2, real u3)
     return beckmann_visible_draw(s.g, beckmann_pair_of_depth(s.g, s.azimuth, t, y));
 }
 
+/* Worst errors of a draw in float, 3 10^5 random inputs (tools/numerics/beckmann_error.c: roughness 0.01 to 2,
+ * either side, c above -10).
+ * wo:  2.6e-04 at wi (-0x1.a56042p-2, -0x1.74aa96p-1, 0x1.18d886p-1), where u1 is used a second time,
+ *      alpha (0x1.689cdap-2, 0x1.293284p-4) u (0x1.a0158cp-2, 0x1.0c1074p-1)
+ * pdf: 3.8e-05 relative at wi (0x1.6b17f6p-1, 0x1.18ee86p-2, -0x1.4c87cp-1),
+ *      alpha (0x1.8dbe14p-4, 0x1.8dbe14p-4) u (0x1.d73f48p-2, 0x1.6afb22p-1) */
+
 #endif

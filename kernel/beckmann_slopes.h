@@ -189,7 +189,7 @@ K_FN real beckmann_slopes_start(beckmann_slopes r, real deep, real shallow) {
 }
 
 /* The depth that leaves the share u of the range below it; v = 1 - u, so that neither tail loses digits.
- * Residual against exact arithmetic: at the foot. */
+ * Residual: at the foot. */
 K_FN real beckmann_slopes_inverse(beckmann_slopes r, real u, real v) {
     real deep = u * r.deep_least + v * r.deep_most;
     real shallow = v * r.shallow_most + u * r.shallow_least;
@@ -209,5 +209,9 @@ K_FN real beckmann_slopes_inverse(beckmann_slopes r, real u, real v) {
     }
     return t;
 }
+
+/* Residual of the inverse, the share of all visible slopes that the depth misses, against long double
+ * (tests/kernel/beckmann_slopes_template.h: c over all magnitudes of both signs, whole and limited ranges): below
+ * 3e-7 in float, at c < 0 and shares of about 1/2; below 1e-7 for shares under 0.1; 5e-16 in double. */
 
 #endif

@@ -96,25 +96,12 @@ K_FN real k_erfcx_rise(real a) {
     return t1 * (R(0.06418958354775628695) + (R(2.0) - t1) * b);
 }
 
-/* What the sum a + b loses to rounding, sum = fl(a + b). */
-K_FN real k_sum_lost(real a, real b, real sum) {
-    real from_b = sum - a;
-    return (a - (sum - from_b)) + (b - from_b);
-}
-
-/* What the product a b loses to rounding, from halves that multiply exactly. */
-K_FN real k_product_lost(real a, real b, real product) {
-    real a_high = k_upper_half(a);
-    real b_high = k_upper_half(b);
-    real a_low = a - a_high;
-    real b_low = b - b_high;
-    return ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low;
-}
-
-/* The quotient of two sums of two numbers, (p + p_low)/(d + d_low). */
+/* The quotient of two sums of two numbers, (p + p_low)/(d + d_low), with what the division leaves. */
 K_FN real k_quotient(real p, real p_low, real d, real d_low) {
     real v = p / d;
-    return v + (p_low - v * d_low) / d;
+    real vd = v * d;
+    real left = (p - vd) - k_product_lost(v, d, vd);
+    return v + ((left + p_low) - v * d_low) / d;
 }
 
 /* exp(x^2) erfc(x) for x >= 0; K_HUGE and beyond count as K_HUGE */
@@ -174,5 +161,9 @@ K_FN real k_erfcx_defect(real x) {
     real aw_low = k_product_lost(a, w, aw) + a * k_sum_lost(R(1.75), R(2.0) * a, w);
     return k_quotient(p, (R(1.0) - p) + rest, d, k_sum_lost(R(1.0), aw, d) + aw_low);
 }
+
+/* Worst errors, every float on which the values are not 0, 1, 2 or a power of x (tools/numerics/worst_error.c):
+ * erf 1.31 ulp at 0x1.fd1802p-1, erfc 1.61 ulp at 0x1.8ae4c8p+0, of negative numbers 1.0 ulp at -0x1.d58158p-2, scaled
+ * 1.45 ulp at 0x1.9f566ep-1 and 1.72 ulp at -0x1.072a6ep-1, the defect 1.03 ulp at 0x1.648e86p+2. Double: below 1.3 ulp on the points of tests/kernel/special_vectors.h. */
 
 #endif

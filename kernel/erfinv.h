@@ -5,8 +5,9 @@
 #define K_ERFINV_H
 
 #include "log.h"
+#include "rounding.h"
 
-/* z/x on w in [0, 6.25] */
+/* z/x - sqrt(pi)/2 on w in [0, 6.25] */
 K_FN real k_erfinv_near(real w) {
 #if K_IS_F64
     real p = R(-2.3403911678776315181e-19) + w * R(3.2407044593799019112e-21);
@@ -20,16 +21,15 @@ K_FN real k_erfinv_near(real w) {
     p = R(2.0200738789339956884e-6) + w * (R(-1.0127058638642554588e-6) + w * p);
     p = R(-0.00012804328555638403114) + w * (R(0.000046611406986069110729) + w * p);
     p = R(0.011549342038385889731) + w * (R(-0.0023351016429896274786) + w * p);
-    p = R(0.88622692545275803425) + w * (R(0.23201366653465070272) + w * p);
-    return p;
+    p = R(0.23201366653465070272) + w * p;
 #else
     real p = R(-2.643164798143971e-08) + w * R(6.98368085583212e-10);
     p = R(-3.1103913897823077e-06) + w * (R(4.10837202480252e-07) + w * p);
     p = R(3.5306409699842334e-05) + w * (R(8.092117241176311e-06) + w * p);
     p = R(-0.002344507956877351) + w * (R(-0.00011470227764220908) + w * p);
     p = R(0.23201313614845276) + w * (R(0.011552841402590275) + w * p);
-    return R(0.8862269520759583) + w * p;
 #endif
+    return w * p;
 }
 
 /* z/(x sqrt(w)) - 1 beyond, v = 1/sqrt(w) */
@@ -69,29 +69,36 @@ K_FN real k_erfinv_far(real v) {
 #endif
 }
 
-/* z/x of w >= 0 */
-K_FN real k_erfinv_ratio(real w) {
+/* x times z/x, w = -log(1 - x^2) in two numbers. The slope of z/x is near 1/4 on all of [0, 6.25]. */
+K_FN real k_erfinv_of(real x, k_log_parts log_of) {
 #if K_IS_F64
     real most = R(100.0);
 #else
     real most = R(40.0);
 #endif
-    real limited = k_min(w, most);
-    real s = k_sqrt(k_max(limited, R(6.25)));
-    real far = s + s * k_erfinv_far(R(1.0) / s);
-    return k_select(limited < R(6.25), k_erfinv_near(k_min(limited, R(6.25))), far);
+    real w = k_min(k_max(-log_of.high, R(0.0)), most);
+    real s = k_sqrt(k_max(w, R(6.25)));
+    bool near = w < R(6.25);
+    real start = k_select(near, R(0.88622692545275803425), s);
+    real rest = k_select(near, k_erfinv_near(k_min(w, R(6.25))), s * k_erfinv_far(R(1.0) / s));
+    real shift = k_select(near, R(-0.24), R(-0.5) / s) * log_of.low;
+    real ratio = start + rest;
+    real lost = k_sum_lost(start, rest, ratio) + shift;
+    real z = x * ratio;
+    return z + (k_product_lost(x, ratio, z) + x * lost);
 }
 
 /* x in (-1, 1): z with erf(z) = x. The ends give what their neighbours give. */
 K_FN real k_erfinv(real x) {
-    real w = -k_log((R(1.0) - x) * (R(1.0) + x));
-    return x * k_erfinv_ratio(k_max(w, R(0.0)));
+    return k_erfinv_of(x, k_log_split((R(1.0) - x) * (R(1.0) + x)));
 }
 
 /* y in (0, 2): z with erfc(z) = y, down to y = 4e-18 (4e-44 in double): smaller y give the z of those. */
 K_FN real k_erfcinv(real y) {
-    real w = -k_log(y * (R(2.0) - y));
-    return (R(1.0) - y) * k_erfinv_ratio(k_max(w, R(0.0)));
+    return k_erfinv_of(R(1.0) - y, k_log_split(y * (R(2.0) - y)));
 }
+
+/* Worst errors, every float (tools/numerics/worst_error.c): erfinv 1.39 ulp at 0x1.200e5ap-7, erfcinv 2.09 ulp at
+ * 0x1.f8b8ccp-26. Double: below 2.2 ulp on the points of tests/kernel/special_vectors.h. */
 
 #endif

@@ -4,7 +4,7 @@
 #ifndef K_EXP_H
 #define K_EXP_H
 
-#include "scalar.h"
+#include "rounding.h"
 
 /* exp(high + low) = (1 + tail) 2^n */
 K_STRUCT(k_exp_parts) {
@@ -46,9 +46,11 @@ K_FN k_exp_parts k_exp_split(real high, real low) {
     real x = k_min(k_max(high, least), most);
     real shifted = (x + low) * R(1.44269504088896340736) + shifter;
     real n = shifted - shifter;
-    real r = ((x - n * ln2_high) - n * ln2_low) + low;
+    real coarse = x - n * ln2_high;
+    real fine = low - n * ln2_low;
+    real r = coarse + fine;
     k_exp_parts e;
-    e.tail = r + r * r * k_exp_tail(r);
+    e.tail = r + (r * r * k_exp_tail(r) + ((coarse - r) + fine));
     e.n = k_bits(shifted) - k_bits(shifter);
     return e;
 }
@@ -68,15 +70,6 @@ K_FN real k_scale_by_power(real x, kint n) {
 K_FN real k_exp(real x) {
     k_exp_parts e = k_exp_split(x, R(0.0));
     return k_scale_by_power(R(1.0) + e.tail, e.n);
-}
-
-/* x without the lower half of its digits: its square, and its product with another such, is exact. */
-K_FN real k_upper_half(real x) {
-#if K_IS_F64
-    return k_from_bits(k_bits(x) & K_INT(-134217728)); /* all but 27 bits */
-#else
-    return k_from_bits(k_bits(x) & K_INT(-4096)); /* all but 12 bits */
-#endif
 }
 
 /* exp(sign x^2), the square in two numbers. |x| is cut where the result is 0 or infinite. */
@@ -100,5 +93,9 @@ K_FN real k_exp_minus_square(real x) {
     k_exp_parts e = k_exp_split_square(x, R(-1.0));
     return k_scale_by_power(R(1.0) + e.tail, e.n);
 }
+
+/* Worst errors, every float whose result is neither 1, 0 nor infinite (tools/numerics/worst_error.c): 0.96 ulp at
+ * x = 0x1.20654cp+2, below zero 0.95 ulp at x = -0x1.c12872p+4. Double: 0.8 ulp on the points of
+ * tests/kernel/special_vectors.h. */
 
 #endif

@@ -18,8 +18,14 @@ K_FN real k_atanh_tail(real y) {
 #endif
 }
 
+/* high + low, where low is what the last sum of high has lost */
+K_STRUCT(k_log_parts) {
+    real high;
+    real low;
+};
+
 /* x > 0 and normal; 0, denormal and negative numbers are taken for the smallest normal one. */
-K_FN real k_log(real x) {
+K_FN k_log_parts k_log_split(real x) {
 #if K_IS_F64
     kint half_bits = K_INT_PAIR(0x3fe6a09e, 0x667f3bcd); /* sqrt(1/2) */
     kint mantissa_mask = K_INT_PAIR(0x000fffff, 0xffffffff);
@@ -42,7 +48,16 @@ K_FN real k_log(real x) {
     real half_f2 = R(0.5) * f * f;
     /* f - f^2/2 + s (f^2/2 + s^2 tail) = 2s + s^3 tail: exact in its leading term */
     real tail = s * (half_f2 + y * k_atanh_tail(y));
-    return n * ln2_high + (f - (half_f2 - (tail + n * ln2_low)));
+    real whole = n * ln2_high;
+    real rest = f - (half_f2 - (tail + n * ln2_low));
+    k_log_parts r;
+    r.high = whole + rest;
+    r.low = (whole - r.high) + rest;
+    return r;
+}
+
+K_FN real k_log(real x) {
+    return k_log_split(x).high;
 }
 
 /* Worst error, every normal float (tools/numerics/worst_error.c): 0.84 ulp at x = 0x1.67cc32p+0.
