@@ -37,11 +37,10 @@ K_FN real fresnel_f82_average(real f0, real tint) {
     return fresnel_schlick_average(f0) - fresnel_f82_b(f0, tint) * R(0.0079365079365079365);
 }
 
-/* Exact dielectric. The numerators are written with g - c, g^2 = ior^2 - 1 + c^2, so that they do not
- * cancel for an index near 1. */
-K_FN real fresnel_dielectric(real ior, real cos_i) {
+/* Exact dielectric of squared index n2m1 + 1. The numerators are written with g - c, g^2 = n2m1 + c^2,
+ * so that they do not cancel for an index near 1. */
+K_FN real fresnel_dielectric_gap(real n2m1, real cos_i) {
     real c = k_saturate(cos_i);
-    real n2m1 = (ior - R(1.0)) * (ior + R(1.0));
     real g2 = n2m1 + c * c;
     bool total = g2 <= R(0.0);
     real g = k_sqrt(k_max(g2, R(0.0)));
@@ -51,6 +50,10 @@ K_FN real fresnel_dielectric(real ior, real cos_i) {
     real ratio = (c * (g + c) - R(1.0)) / (c * n2m1 / sum + R(1.0));
     real value = R(0.5) * s * s * (R(1.0) + ratio * ratio);
     return k_select(total, R(1.0), k_saturate(value));
+}
+
+K_FN real fresnel_dielectric(real ior, real cos_i) {
+    return fresnel_dielectric_gap((ior - R(1.0)) * (ior + R(1.0)), cos_i);
 }
 
 /* The average is smooth(n) + log term. Near n = 1 the smooth part cancels: there it is d p(d),

@@ -141,7 +141,8 @@ static int fill_node(lobe_bins *bins, const lobe_verify_model *model,
 /* The error of a whole integral is at most this times the number of cells, and far less in
  * practice: the tolerance bounds what the last refinement changed. */
 static double tolerance(const lobe_verify_model *model) {
-    return fmax(1e-10, 8 * model->rounding / 256);
+    double least = model->has_jumps ? 1e-8 : 1e-10;
+    return fmax(least, 8 * model->rounding / 256);
 }
 
 int lobe_bins_make(lobe_bins *bins, const lobe_verify_model *model, int grid, double cut) {

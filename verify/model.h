@@ -42,7 +42,9 @@ typedef struct lobe_verify_model {
     double density_oracle;                /* the density, where it is constant */
     double albedo_oracle;                 /* integral of the value */
     int is_reciprocal;
-    int is_mirror; /* a point mass, not a density */
+    int is_mirror;     /* a point mass, not a density */
+    int covers_sphere; /* transmits: its chart and draws go below the surface too */
+    int has_jumps;     /* the density has; 0: its integrals converge fast */
     /* Prepares the model with the index-th pair of special parameters; 0 when there are no more. */
     int (*prepare_special)(const void *self, const double wi[3], size_t index,
                            lobe_verify_state *state);

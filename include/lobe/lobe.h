@@ -5,6 +5,7 @@
 
 #include "albedo.h"
 #include "batch.h"
+#include "dielectric.h"
 #include "fresnel.h"
 #include "reflection.h"
 #include "methods.h"
