@@ -33,7 +33,7 @@ static const method_facts SMITH_GGX[LOBE_METHOD_COUNT] = {
 };
 
 /* Methods that are published with an error: the tests that it makes fail, and the roughness up to
- * which 10^8 draws show it. */
+ * which 10^8 draws show it where there is no second plane. */
 typedef struct published_bias {
     const char *tests;
     double most_alpha;
@@ -47,7 +47,7 @@ static void set_known_bias(lobe_reflection_subject *subject, const published_bia
     const lobe_reflection_parameters *p = &subject->parameters;
     subject->model.known_bias = bias->tests;
     subject->model.is_bias_due =
-        bias->tests != NULL && fmax(p->alpha_x, p->alpha_y) <= bias->most_alpha;
+        bias->tests != NULL && p->tilt == 0 && fmax(p->alpha_x, p->alpha_y) <= bias->most_alpha;
 }
 
 static const double PI = 3.14159265358979323846;
