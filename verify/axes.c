@@ -2,10 +2,6 @@
 
 #include <math.h>
 
-double lobe_dot(const double a[3], const double b[3]) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 void lobe_normalize(double v[3]) {
     double length = sqrt(lobe_dot(v, v));
     for (int i = 0; i < 3; ++i) v[i] /= length;

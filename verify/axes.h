@@ -2,7 +2,11 @@
 #ifndef LOBE_VERIFY_AXES_H
 #define LOBE_VERIFY_AXES_H
 
-double lobe_dot(const double a[3], const double b[3]);
+/* Inline: charts call it for every draw. */
+static inline double lobe_dot(const double a[3], const double b[3]) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
 void lobe_normalize(double v[3]);
 
 /* Any two axes across the third. */

@@ -31,30 +31,34 @@ void lobe_square_from_disk(lobe_disk_point point, double *t, double *a) {
     double r = sqrt(point.x * point.x + point.y * point.y);
     double sum = fabs(point.x) + fabs(point.y);
     double along = sum > 0 ? fabs(point.y) / sum : 0;
-    double turn;
-    if (point.y >= 0) {
-        turn = point.x > 0 ? along : 2 - along;
-    } else {
-        turn = point.x < 0 ? 2 + along : 4 - along;
-    }
+    /* By a table: which quarter it is, no processor foresees. */
+    static const double START[4] = {0, 2, 4, 2};
+    static const double SIGN[4] = {1, -1, -1, 1};
+    int quarter = 2 * (point.y < 0) + !(point.x > 0);
     *t = r / (1 + point.w);
-    *a = turn / 4;
+    *a = (START[quarter] + SIGN[quarter] * along) / 4;
 }
 
+/* `self` points to the sign of z. */
+static const double UP = 1;
+static const double DOWN = -1;
+
 static double hemisphere_direction(const void *self, lobe_disk_point point, double wo[3]) {
-    (void)self;
     wo[0] = point.x;
     wo[1] = point.y;
-    wo[2] = point.w;
+    wo[2] = *(const double *)self * point.w;
     return 1 / point.w;
 }
 
 static int hemisphere_point(const void *self, const double wo[3], lobe_disk_point *point) {
-    (void)self;
-    *point = (lobe_disk_point){wo[0], wo[1], wo[2]};
-    return wo[2] > 0;
+    *point = (lobe_disk_point){wo[0], wo[1], *(const double *)self * wo[2]};
+    return point->w > 0;
 }
 
 lobe_verify_chart lobe_hemisphere_chart(void) {
-    return (lobe_verify_chart){0, hemisphere_direction, hemisphere_point};
+    return (lobe_verify_chart){&UP, hemisphere_direction, hemisphere_point};
+}
+
+lobe_verify_chart lobe_lower_hemisphere_chart(void) {
+    return (lobe_verify_chart){&DOWN, hemisphere_direction, hemisphere_point};
 }

@@ -24,7 +24,8 @@ typedef struct lobe_verify_chart {
 lobe_disk_point lobe_disk_from_square(double t, double a, double *area);
 void lobe_square_from_disk(lobe_disk_point point, double *t, double *a);
 
-/* Orthographic: wo = (x, y, w), the upper hemisphere. */
+/* Orthographic: wo = (x, y, w), the upper hemisphere; and wo = (x, y, -w), the lower one. */
 lobe_verify_chart lobe_hemisphere_chart(void);
+lobe_verify_chart lobe_lower_hemisphere_chart(void);
 
 #endif

@@ -40,17 +40,18 @@ static lobe_box quarter(lobe_box box, int which) {
 }
 
 /* `integral` comes in as the estimate for the whole box and leaves refined. */
-static void refine(const lobe_integrand *integrand, lobe_box box, int depth,
+static void refine(const lobe_integrand *integrand, lobe_box box, int depth, int least_depth,
                    double integral[LOBE_CUBATURE_VALUES]) {
     double part[4][LOBE_CUBATURE_VALUES];
     for (int q = 0; q < 4; ++q) gauss(integrand, quarter(box, q), part[q]);
-    int is_good = 1;
+    int is_good = depth >= least_depth;
     for (int k = 0; k < integrand->count; ++k) {
         double sum = part[0][k] + part[1][k] + part[2][k] + part[3][k];
-        is_good &= fabs(sum - integral[k]) <= integrand->tolerance[k];
+        /* No refinement mends what is not finite. */
+        is_good &= fabs(sum - integral[k]) <= integrand->tolerance[k] || !isfinite(sum);
     }
     for (int q = 0; q < 4 && !is_good && depth < DEPTH; ++q) {
-        refine(integrand, quarter(box, q), depth + 1, part[q]);
+        refine(integrand, quarter(box, q), depth + 1, least_depth, part[q]);
     }
     for (int k = 0; k < integrand->count; ++k) {
         integral[k] = part[0][k] + part[1][k] + part[2][k] + part[3][k];
@@ -59,6 +60,11 @@ static void refine(const lobe_integrand *integrand, lobe_box box, int depth,
 
 void lobe_cubature(const lobe_integrand *integrand, lobe_box box,
                    double integral[LOBE_CUBATURE_VALUES]) {
+    lobe_cubature_of_edges(integrand, box, 0, integral);
+}
+
+void lobe_cubature_of_edges(const lobe_integrand *integrand, lobe_box box, int least_depth,
+                            double integral[LOBE_CUBATURE_VALUES]) {
     gauss(integrand, box, integral);
-    refine(integrand, box, 0, integral);
+    refine(integrand, box, 0, least_depth, integral);
 }

@@ -3,7 +3,7 @@
 #ifndef LOBE_VERIFY_CUBATURE_H
 #define LOBE_VERIFY_CUBATURE_H
 
-#define LOBE_CUBATURE_VALUES 4
+#define LOBE_CUBATURE_VALUES 5
 
 /* Several integrands on the same points. */
 typedef struct lobe_integrand {
@@ -20,5 +20,10 @@ typedef struct lobe_box {
 
 void lobe_cubature(const lobe_integrand *integrand, lobe_box box,
                    double integral[LOBE_CUBATURE_VALUES]);
+
+/* Quarters `least_depth` times, whatever that changes, before it believes itself: a corner of a lobe
+ * that ends somewhere can lie between all points of a rectangle. */
+void lobe_cubature_of_edges(const lobe_integrand *integrand, lobe_box box, int least_depth,
+                            double integral[LOBE_CUBATURE_VALUES]);
 
 #endif

@@ -8,6 +8,7 @@
 
 #include <lobe/random.h>
 
+#include "draws.h"
 #include "tests.h"
 
 /* Roundings in sequence that a result may collect. */
@@ -23,7 +24,7 @@ typedef struct pair {
 /* Largest errors, in units, and where single things go wrong. */
 typedef struct worst {
     double density, weight, reciprocity, precision_density, precision_value;
-    double largest_weight;
+    double largest_weight, length;
     int compared, below;
 } worst;
 
@@ -82,6 +83,9 @@ static void check_draw(const pair *p, const lobe_verify_draw *draw, worst *w) {
     double value = model->value(&p->state, draw->wo);
     double density_scale = scale(p, density_at, draw->wo);
     w->largest_weight = lobe_worse(w->largest_weight, draw->weight);
+    const double *o = draw->wo;
+    double length2 = o[0] * o[0] + o[1] * o[1] + o[2] * o[2];
+    w->length = lobe_worse(w->length, fabs(length2 - 1) / model->rounding);
     if (is_blurred(model, density_at(p, draw->wo), density_scale)) return;
     /* The weight was rounded at the drawn normal, the other two at the direction. */
     double weight_scale = scale(p, value_at, draw->wo) + density * scale(p, weight_at, draw->wo);
@@ -100,15 +104,21 @@ static void check_precision(const pair *p, const double wo[3], worst *w) {
              p->model->rounding * scale(p, value_at, wo));
 }
 
+/* Transmission is reciprocal up to the square of the indices, which the engine does not know: only
+ * reflection counts, from below where the model has a below. */
+static int is_reciprocal(const lobe_verify_model *model) {
+    return model->is_reciprocal && (model->wi[2] > 0 || lobe_verify_is_sphere(model));
+}
+
 /* f = value / |cos| from both sides. */
 static void check_reciprocity(const pair *p, const double wo[3], worst *w) {
     const double *wi = p->model->wi;
-    if (!p->model->is_reciprocal || !(wi[2] > 0) || !(wo[2] > 0)) return;
+    if (!is_reciprocal(p->model) || !(wi[2] * wo[2] > 0)) return;
     pair back;
     prepare_pair(&back, p->model, wo);
-    double there = p->model->value(&p->state, wo) / wo[2];
-    double here = p->model->value(&back.state, wi) / wi[2];
-    double unit = scale(p, value_at, wo) / wo[2] + scale(&back, value_at, wi) / wi[2];
+    double there = p->model->value(&p->state, wo) / fabs(wo[2]);
+    double here = p->model->value(&back.state, wi) / fabs(wi[2]);
+    double unit = scale(p, value_at, wo) / fabs(wo[2]) + scale(&back, value_at, wi) / fabs(wi[2]);
     raise_to(&w->reciprocity, fabs(there - here), p->model->rounding * unit);
 }
 
@@ -117,7 +127,8 @@ static void check_support(const pair *p, const double wo[3], worst *w) {
     w->below += p->model->density(&p->state, below) != 0 || p->model->value(&p->state, below) != 0;
 }
 
-void lobe_hemisphere_direction(const lobe_settings *settings, uint64_t index, double wo[3]) {
+void lobe_hemisphere_direction(const lobe_verify_model *model, const lobe_settings *settings,
+                               uint64_t index, double wo[3]) {
     /* Counted from the far end: the draws of the same stream start at 0. */
     lobe_random4 r = lobe_random(settings->seed, settings->stream, UINT64_MAX - index);
     double z = lobe_random_unit_f64(r.word[0], r.word[1]);
@@ -126,8 +137,13 @@ void lobe_hemisphere_direction(const lobe_settings *settings, uint64_t index, do
     wo[0] = radius * cos(angle);
     wo[1] = radius * sin(angle);
     wo[2] = z;
-    /* What a model in single precision is given is what its twin is given. */
-    for (int k = 0; k < 3; ++k) wo[k] = (float)wo[k];
+    /* What a model in single precision is given is what its twin is given. One in double is given
+     * unit length in double. */
+    for (int k = 0; k < 3 && model->random_bits == 24; ++k) wo[k] = (float)wo[k];
+}
+
+static int has_two_sides(const lobe_verify_model *model) {
+    return model->covers_sphere || lobe_verify_is_sphere(model);
 }
 
 static void report_directions(const lobe_verify_model *model, const worst *w, int checks,
@@ -139,7 +155,7 @@ static void report_directions(const lobe_verify_model *model, const worst *w, in
                           model->weight_bound * (1 + LIMIT * model->rounding), "%d draws",
                           w->compared);
     }
-    if (model->is_reciprocal && model->wi[2] > 0) {
+    if (is_reciprocal(model)) {
         lobe_report_error(report, "reciprocity", w->reciprocity, LIMIT, "%d pairs", checks);
     }
     if (model->twin != NULL) {
@@ -147,10 +163,10 @@ static void report_directions(const lobe_verify_model *model, const worst *w, in
                           LIMIT, "density %.3g, value %.3g", w->precision_density,
                           w->precision_value);
     }
-    if (!model->covers_sphere) {
-        lobe_report_error(report, "support", (double)w->below / checks, 0, "%d directions below",
-                          checks);
-    }
+    lobe_report_error(report, "length", w->length, LIMIT, "of the drawn directions");
+    if (has_two_sides(model)) return;
+    lobe_report_error(report, "support", (double)w->below / checks, 0, "%d directions below",
+                      checks);
 }
 
 void lobe_test_directions(const lobe_verify_model *model, const lobe_settings *settings,
@@ -167,11 +183,11 @@ void lobe_test_directions(const lobe_verify_model *model, const lobe_settings *s
             check_precision(&p, draw.wo, &w);
             check_reciprocity(&p, draw.wo, &w);
         }
-        lobe_hemisphere_direction(settings, (uint64_t)i, wo);
-        if (model->covers_sphere && i % 2 != 0) wo[2] = -wo[2];
+        lobe_hemisphere_direction(model, settings, (uint64_t)i, wo);
+        if (has_two_sides(model) && i % 2 == 1) wo[2] = -wo[2];
         check_precision(&p, wo, &w);
         check_reciprocity(&p, wo, &w);
-        check_support(&p, wo, &w);
+        if (!has_two_sides(model)) check_support(&p, wo, &w);
     }
     report_directions(model, &w, settings->checks, report);
 }

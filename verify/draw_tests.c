@@ -1,4 +1,5 @@
 /* Draws against integrals of the density and of the value. */
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -89,9 +90,16 @@ static void test_furnace(const lobe_verify_model *model, const lobe_settings *se
     double variance = fmax(bins->cut_square - expected * expected, 0) / n;
     /* A constant weight has no variance but its rounding and that of the cubature. */
     double rounding = (16 * model->rounding + 1e-7) * fabs(expected);
-    double z = (mean - expected) / sqrt(variance + rounding * rounding);
+    /* A black surface has no deviation at all. */
+    double deviation = fmax(sqrt(variance + rounding * rounding), DBL_MIN);
+    double z = (mean - expected) / deviation;
     lobe_report_p_value(report, "furnace", z, lobe_normal_two_sided(z), settings->p_limit,
                         "%.6f, expected %.6f", mean, expected);
+}
+
+static void test_soundness(const lobe_tally *tally, lobe_report *report) {
+    lobe_report_error(report, "sound", (double)tally->unsound, 0,
+                      "draws that are NaN, infinite or negative, of %.3g", (double)tally->draws);
 }
 
 void lobe_test_draws(const lobe_verify_model *model, const lobe_settings *settings,
@@ -99,4 +107,5 @@ void lobe_test_draws(const lobe_verify_model *model, const lobe_settings *settin
     test_chi_square(settings, bins, tally, report);
     test_rejected(model, settings, bins, tally, report);
     test_furnace(model, settings, bins, tally, report);
+    test_soundness(tally, report);
 }

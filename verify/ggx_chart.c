@@ -69,6 +69,8 @@ lobe_ggx_chart lobe_ggx_chart_prepare(const double wi[3], double alpha_x, double
     for (int k = 0; k < 2; ++k) {
         ggx.half_axis[k] = sqrt(ggx.lambda / (ggx.lambda + minor[k]));
         ggx.gap[k] = minor[k] / (ggx.lambda + minor[k]);
+        ggx.inverse_alpha[k] = 1 / ggx.alpha[k];
+        ggx.inverse_half_axis[k] = 1 / ggx.half_axis[k];
         ggx.slant[k] = ggx.half_axis[k] * lobe_dot(i, ggx.axis[k]) / ggx.nu;
     }
     return ggx;
@@ -99,12 +101,12 @@ static double ggx_direction(const void *self, lobe_disk_point point, double wo[3
 
 static int ggx_point(const void *self, const double wo[3], lobe_disk_point *point) {
     const lobe_ggx_chart *ggx = self;
-    double m[3] = {(ggx->wi[0] + wo[0]) / ggx->alpha[0], (ggx->wi[1] + wo[1]) / ggx->alpha[1],
-                   ggx->wi[2] + wo[2]};
+    double m[3] = {(ggx->wi[0] + wo[0]) * ggx->inverse_alpha[0],
+                   (ggx->wi[1] + wo[1]) * ggx->inverse_alpha[1], ggx->wi[2] + wo[2]};
     double length = sqrt(lobe_dot(m, m));
     if (!(length > 0) || !(m[2] >= 0)) return 0;
-    double x = lobe_dot(m, ggx->axis[0]) / (length * ggx->half_axis[0]);
-    double y = lobe_dot(m, ggx->axis[1]) / (length * ggx->half_axis[1]);
+    double x = lobe_dot(m, ggx->axis[0]) * ggx->inverse_half_axis[0] / length;
+    double y = lobe_dot(m, ggx->axis[1]) * ggx->inverse_half_axis[1] / length;
     /* A direction rounded to just outside belongs to the edge. */
     double v = fmax(1 - x * x - y * y, 0);
     *point = (lobe_disk_point){x, y, sqrt(v)};

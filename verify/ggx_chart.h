@@ -20,6 +20,8 @@ typedef struct lobe_ggx_chart {
     double slant[2];     /* a i'.e1 / nu, b i'.e2 / nu */
     double nu;           /* i'.n */
     double lambda;       /* positive eigenvalue of Q */
+    double inverse_alpha[2];
+    double inverse_half_axis[2];
 } lobe_ggx_chart;
 
 /* wi unit, above or below the surface, but not straight down. alpha > 0. */

@@ -1,4 +1,4 @@
-/* What the engine needs to know of a reflection model: three functions, and facts where they exist.
+/* What the engine needs to know of a scattering model: three functions, and facts where they exist.
  *
  * Everything is double at this interface; a model in single precision is wrapped and says so by
  * `rounding`. Directions and conventions are those of lobe/types.h. */
@@ -34,7 +34,13 @@ typedef struct lobe_verify_model {
     double (*density)(const lobe_verify_state *state, const double wo[3]);
     double (*value)(const lobe_verify_state *state, const double wo[3]); /* f |cos| */
 
+    /* The same draws as `sample`, bit for bit, many at a time, from three numbers each; NULL: one
+     * call each. */
+    void (*sample_many)(const lobe_verify_state *state, size_t count, const double *u,
+                        lobe_verify_draw *draws);
     lobe_verify_chart chart;              /* where the lobe is spread out */
+    lobe_verify_chart below;              /* directions below the surface; all NULL: none */
+    int pilot_draws;                      /* that find the lobe on charts that do not know it */
     const struct lobe_verify_model *twin; /* the same in f64 */
     double weight_bound;                  /* promised; INFINITY: none */
     double accepted;                      /* closed form by the model: integral of the density */
@@ -42,9 +48,12 @@ typedef struct lobe_verify_model {
     double density_oracle;                /* the density, where it is constant */
     double albedo_oracle;                 /* integral of the value */
     int is_reciprocal;
-    int is_mirror;     /* a point mass, not a density */
-    int covers_sphere; /* transmits: its chart and draws go below the surface too */
-    int has_jumps;     /* the density has; 0: its integrals converge fast */
+    int covers_sphere;    /* its one chart reaches below the surface too, where its draws go */
+    int has_jumps;        /* the density has; 0: its integrals converge fast */
+    int is_mirror;        /* a point mass, not a density */
+    int takes_legal_only; /* promises nothing for NaN, infinities and vectors without unit length */
+    const char *known_bias; /* names of tests that a published error makes fail: "chi2 furnace" */
+    int is_bias_due;        /* 10^8 draws show it in this configuration */
     /* Prepares the model with the index-th pair of special parameters; 0 when there are no more. */
     int (*prepare_special)(const void *self, const double wi[3], size_t index,
                            lobe_verify_state *state);
@@ -52,5 +61,11 @@ typedef struct lobe_verify_model {
 
 /* A model without facts on the hemisphere chart; the caller fills in the first block. */
 lobe_verify_model lobe_verify_plain_model(void);
+
+/* Whether it scatters to both sides of the surface. */
+int lobe_verify_is_sphere(const lobe_verify_model *model);
+
+/* The chart of a direction. */
+const lobe_verify_chart *lobe_verify_chart_of(const lobe_verify_model *model, const double wo[3]);
 
 #endif

@@ -5,6 +5,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include <lobe/batch.h>
+
 #include "reflection_oracles.h"
 
 static const double SPECIAL_ALPHA[] = {
@@ -20,6 +22,9 @@ static void direction_at(double theta, double phi, double d[3]) {
     d[1] = sine * sin(phi * degree);
     d[2] = theta == 90 ? 0 : cos(theta * degree);
 }
+
+/* Draws that the batch kernels make in one call. */
+enum { PAGE = 256 };
 
 #define REAL float
 #define NAME(stem) stem##_f32

@@ -32,6 +32,24 @@ static const method_facts SMITH_GGX[LOBE_METHOD_COUNT] = {
     [LOBE_METHOD_HORIZON] = {0, COVERAGE_ALL},
 };
 
+/* Methods that are published with an error: the tests that it makes fail, and the roughness up to
+ * which 10^8 draws show it where there is no second plane. */
+typedef struct published_bias {
+    const char *tests;
+    double most_alpha;
+} published_bias;
+
+static const published_bias BIASES[LOBE_METHOD_COUNT] = {
+    [LOBE_METHOD_SLOPE_PUBLISHED] = {"chi2 rejected furnace", 1.5},
+};
+
+static void set_known_bias(lobe_reflection_subject *subject, const published_bias *bias) {
+    const lobe_reflection_parameters *p = &subject->parameters;
+    subject->model.known_bias = bias->tests;
+    subject->model.is_bias_due =
+        bias->tests != NULL && p->tilt == 0 && fmax(p->alpha_x, p->alpha_y) <= bias->most_alpha;
+}
+
 static const double PI = 3.14159265358979323846;
 static const double LN2 = 0.69314718055994530942;
 
@@ -93,6 +111,7 @@ void lobe_reflection_set_oracles(lobe_reflection_subject *subject) {
     const method_facts *facts = &SMITH_GGX[row.method];
     surface s = surface_of(subject);
     if (facts->weight_bound > 0) model->weight_bound = facts->weight_bound;
+    set_known_bias(subject, &BIASES[row.method]);
     if (subject->parameters.tilt != 0) return; /* no closed form knows the second plane */
     model->accepted_oracle = accepted_share(&s, facts->coverage, &subject->chart);
     model->albedo_oracle = albedo(&s);

@@ -1,221 +1,207 @@
-/* The public entrance: choosing cases, running them on several threads, reporting in order. */
-#define _POSIX_C_SOURCE 200809L
+/* The public entrance: choosing cases, running them, reporting in order. */
+#include "run.h"
 
-#include <lobe/verify.h>
-
-#include <fnmatch.h>
-#include <math.h>
 #include <omp.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
-#include "engine.h"
-#include "reflection_cases.h"
+#include "state.h"
 #include "statistics.h"
-
-enum { TITLE_ROOM = 160, PATTERN_ROOM = 256 };
 
 static const uint64_t LEAST_DRAWS = 1000;
 static const uint64_t MOST_DRAWS = 1000000000000;
 static const int MOST_THREADS = 1024;
 
-typedef struct chosen {
-    size_t *indices;
-    size_t count;
-} chosen;
-
-/* A finished case waits here until its predecessors have been reported. */
-typedef struct outcome {
-    lobe_report report;
-    int is_done;
-    int has_memory;
-} outcome;
-
-typedef struct run {
-    const lobe_verify_options *options;
-    lobe_verify_summary *summary;
-    chosen cases;
-    outcome *outcomes;
-    size_t reported;
-    lobe_settings settings;
-    lobe_monitor monitor;
-} run;
-
 lobe_verify_options lobe_verify_default_options(void) {
     return (lobe_verify_options){.level = LOBE_VERIFY_QUICK, .seed = 1};
 }
 
-static int matches(const char *only, const lobe_reflection_case *c) {
-    char name[TITLE_ROOM], configuration[TITLE_ROOM];
-    lobe_reflection_subject_name(c->parameters, c->precision, name, sizeof name, configuration,
-                                 sizeof configuration);
-    char title[2 * TITLE_ROOM], pattern[PATTERN_ROOM];
-    snprintf(title, sizeof title, "%s %s", name, configuration);
-    snprintf(pattern, sizeof pattern, "*%s*", only);
-    return fnmatch(pattern, title, 0) == 0;
+const lobe_case_title *lobe_run_title(const lobe_run *run, size_t position) {
+    return &run->suite.titles[run->suite.chosen[position]];
 }
 
-static int is_chosen(const lobe_verify_options *options, size_t index) {
-    lobe_reflection_case c = lobe_reflection_case_at(index);
-    if (options->only == NULL) return 1;
-    return strlen(options->only) < PATTERN_ROOM - 2 && matches(options->only, &c);
+int lobe_run_threads(const lobe_run *run) {
+    return run->options->threads > 0 ? run->options->threads : omp_get_num_procs();
 }
 
-size_t lobe_verify_list(const lobe_verify_options *options,
-                        void (*on_case)(void *user, const lobe_verify_case *verify_case),
-                        void *user) {
-    size_t count = 0;
-    for (size_t i = 0; i < lobe_reflection_case_count(); ++i) {
-        if (!is_chosen(options, i)) continue;
-        count += 1;
-        if (on_case == NULL) continue;
-        lobe_reflection_case c = lobe_reflection_case_at(i);
-        char name[TITLE_ROOM], configuration[TITLE_ROOM];
-        lobe_reflection_subject_name(c.parameters, c.precision, name, sizeof name, configuration,
-                                     sizeof configuration);
-        on_case(user, &(lobe_verify_case){name, configuration});
+void lobe_run_stop(lobe_run *run, lobe_verify_result trouble, const char *message, ...) {
+    if (run->trouble != LOBE_VERIFY_OK) return; /* the first one is the cause */
+    run->trouble = trouble;
+    va_list arguments;
+    va_start(arguments, message);
+    vsnprintf(run->summary->message, sizeof run->summary->message, message, arguments);
+    va_end(arguments);
+    atomic_store(&run->monitor.is_cancelled, 1);
+}
+
+/* ---- Reporting ------------------------------------------------------------------------------- */
+
+static void report_row(lobe_run *run, const lobe_case_title *title, const lobe_report_row *row) {
+    int passed = lobe_report_row_passed(row);
+    run->summary->tests_passed += passed;
+    run->summary->tests_known += row->is_known;
+    run->summary->tests_failed += !passed && !row->is_known;
+    if (run->options->on_test == NULL) return;
+    lobe_verify_test test = {
+        title->model,   title->configuration, row->test,  row->detail, (lobe_verify_kind)row->kind,
+        row->statistic, row->value,           row->limit, passed,      row->is_known};
+    run->options->on_test(run->options->user, &test);
+}
+
+static void report_picture(const lobe_run *run, const lobe_case_title *title,
+                           const lobe_picture *picture) {
+    if (picture == NULL || picture->sheets == 0 || run->options->on_picture == NULL) return;
+    lobe_verify_picture p = {.model = title->model,
+                             .configuration = title->configuration,
+                             .sheets = picture->sheets,
+                             .size = LOBE_PICTURE_SIZE,
+                             .curve = picture->curve,
+                             .curve_points = LOBE_CURVE_POINTS};
+    for (int sheet = 0; sheet < picture->sheets; ++sheet) {
+        p.observed[sheet] = picture->observed[sheet];
+        p.expected[sheet] = picture->expected[sheet];
+        p.difference[sheet] = picture->difference[sheet];
     }
-    return count;
+    run->options->on_picture(run->options->user, &p);
 }
 
-/* FNV-1a of the names: a case draws the same numbers wherever it stands in the list. */
-static uint64_t stream_of(const lobe_verify_model *model) {
-    uint64_t hash = 14695981039346656037u;
-    const char *texts[2] = {model->name, model->configuration};
-    for (int i = 0; i < 2; ++i) {
-        for (const char *c = texts[i]; *c != '\0'; ++c) {
-            hash = (hash ^ (unsigned char)*c) * 1099511628211u;
+/* Every case that has finished and whose predecessors have. */
+static void report_in_order(lobe_run *run) {
+    for (; run->reported < run->suite.chosen_count; ++run->reported) {
+        lobe_outcome *outcome = &run->outcomes[run->reported];
+        if (!outcome->is_done) return;
+        const lobe_case_title *title = lobe_run_title(run, run->reported);
+        run->summary->cases += 1;
+        for (int i = 0; i < outcome->report.count; ++i) {
+            report_row(run, title, &outcome->report.rows[i]);
         }
-    }
-    return hash;
-}
-
-static void report_case(run *r, size_t position) {
-    const lobe_report *report = &r->outcomes[position].report;
-    lobe_reflection_case c = lobe_reflection_case_at(r->cases.indices[position]);
-    char name[TITLE_ROOM], configuration[TITLE_ROOM];
-    lobe_reflection_subject_name(c.parameters, c.precision, name, sizeof name, configuration,
-                                 sizeof configuration);
-    r->summary->cases += 1;
-    for (int i = 0; i < report->count; ++i) {
-        const lobe_report_row *row = &report->rows[i];
-        int passed = lobe_report_row_passed(row);
-        r->summary->tests_passed += passed;
-        r->summary->tests_failed += !passed;
-        if (r->options->on_test == NULL) continue;
-        lobe_verify_test test = {name,           configuration, row->test,  row->detail, row->kind,
-                                 row->statistic, row->value,    row->limit, passed};
-        r->options->on_test(r->options->user, &test);
+        report_picture(run, title, outcome->picture);
+        free(outcome->picture);
+        outcome->picture = NULL;
     }
 }
 
-/* Reports every case that has finished and whose predecessors have. */
-static void report_in_order(run *r) {
-    while (r->reported < r->cases.count && r->outcomes[r->reported].is_done) {
-        report_case(r, r->reported);
-        r->reported += 1;
-    }
+void lobe_run_finish_case(lobe_run *run, size_t position) {
+    run->outcomes[position].is_done = 1;
+    if (run->options->state != NULL) lobe_state_save(run);
+    report_in_order(run);
 }
 
-static void run_case(run *r, size_t position) {
-    lobe_reflection_case c = lobe_reflection_case_at(r->cases.indices[position]);
-    lobe_reflection_subject subject;
-    lobe_reflection_subject_make(&subject, c.parameters, c.precision);
-    lobe_settings settings = r->settings;
-    settings.stream = stream_of(&subject.model);
-    outcome *o = &r->outcomes[position];
-    o->has_memory = lobe_verify_model_run(&subject.model, &settings, &r->monitor, &o->report);
-#pragma omp critical(lobe_verify_callback)
-    if (o->has_memory && !atomic_load(&r->monitor.is_cancelled)) {
-        o->is_done = 1;
-        report_in_order(r);
-    }
-}
+/* ---- Setting up ------------------------------------------------------------------------------ */
 
-/* Threads share out the cases; what a short list leaves over shares out the draws of a case. */
-static void run_cases(run *r) {
-    int threads = r->options->threads > 0 ? r->options->threads : omp_get_num_procs();
-    int outer = r->cases.count < (size_t)threads ? (int)r->cases.count : threads;
-    r->settings.threads = threads / outer;
-    omp_set_max_active_levels(2);
-#pragma omp parallel for schedule(dynamic, 1) num_threads(outer)
-    for (size_t i = 0; i < r->cases.count; ++i) {
-        if (!atomic_load(&r->monitor.is_cancelled)) run_case(r, i);
-    }
-}
-
-static lobe_verify_result fail(run *r, lobe_verify_result result, const char *message) {
-    snprintf(r->summary->message, sizeof r->summary->message, "%s", message);
-    return result;
-}
-
-static lobe_verify_result check_options(run *r) {
-    const lobe_verify_options *o = r->options;
+static void check_options(lobe_run *run) {
+    const lobe_verify_options *o = run->options;
+    lobe_verify_result bad = LOBE_VERIFY_BAD_OPTION;
     if (o->level != LOBE_VERIFY_QUICK && o->level != LOBE_VERIFY_FULL) {
-        return fail(r, LOBE_VERIFY_BAD_OPTION, "unknown level; use quick or full");
+        lobe_run_stop(run, bad, "unknown level; use quick or full");
     }
     if (o->draws != 0 && (o->draws < LEAST_DRAWS || o->draws > MOST_DRAWS)) {
-        return fail(r, LOBE_VERIFY_BAD_OPTION, "draws out of range; use 1000 to 10^12");
+        lobe_run_stop(run, bad, "draws out of range; use 1000 to 10^12");
     }
     if (o->threads < 0 || o->threads > MOST_THREADS) {
-        return fail(r, LOBE_VERIFY_BAD_OPTION, "threads out of range; use 0 to 1024");
+        lobe_run_stop(run, bad, "threads out of range; use 0 to 1024");
     }
-    return LOBE_VERIFY_OK;
+    if (!(o->case_seconds >= 0 && o->case_seconds <= 1e6)) {
+        lobe_run_stop(run, bad, "time of a case out of range; use 0 to 10^6 seconds");
+    }
 }
 
-static int choose_cases(run *r) {
-    size_t room = lobe_reflection_case_count();
-    r->cases.indices = malloc(room * sizeof *r->cases.indices);
-    if (r->cases.indices == NULL) return 0;
-    for (size_t i = 0; i < room; ++i) {
-        if (is_chosen(r->options, i)) r->cases.indices[r->cases.count++] = i;
+/* Titles and choice. */
+static void make_suite(lobe_run *run) {
+    const lobe_verify_options *o = run->options;
+    if (o->plugin != NULL && !lobe_plugin_read(&run->plugin, o->plugin, run->summary->message,
+                                               sizeof run->summary->message)) {
+        run->trouble = LOBE_VERIFY_BAD_PLUGIN;
+        return;
     }
-    r->outcomes = calloc(r->cases.count + 1, sizeof *r->outcomes);
-    return r->outcomes != NULL;
+    int is_good = o->plugin != NULL ? lobe_plugin_suite(&run->suite, &run->plugin)
+                                    : lobe_library_suite(&run->suite);
+    if (!is_good || !lobe_suite_choose(&run->suite, o)) {
+        lobe_run_stop(run, LOBE_VERIFY_NO_MEMORY, "out of memory; close other programs");
+    } else if (run->suite.chosen_count == 0) {
+        lobe_run_stop(run, LOBE_VERIFY_NO_CASES, "no case matches; list them to see their names");
+    }
 }
 
-static void set_up(run *r) {
-    const lobe_verify_options *o = r->options;
-    r->settings = lobe_level_settings(o->level);
-    if (o->draws != 0) r->settings.draws = o->draws;
-    r->settings.seed = o->seed;
+static size_t count_done(const lobe_run *run) {
+    size_t done = 0;
+    for (size_t i = 0; i < run->suite.chosen_count; ++i) done += run->outcomes[i].is_done != 0;
+    return done;
+}
+
+static void set_up(lobe_run *run) {
+    const lobe_verify_options *o = run->options;
+    run->settings = lobe_level_settings(o->level);
+    if (o->draws != 0) run->settings.draws = o->draws;
+    run->settings.seed = o->seed;
+    run->settings.pictures = o->on_picture != NULL ? o->pictures : LOBE_VERIFY_PICTURES_NONE;
     /* Of the whole list: a verdict does not depend on what else was chosen. */
-    size_t tests = LOBE_P_VALUES_A_CASE * lobe_reflection_case_count();
-    r->settings.p_limit = lobe_sidak(LOBE_VERIFY_SIGNIFICANCE, tests);
-    r->monitor.on_progress = o->on_progress;
-    r->monitor.user = o->user;
-    r->monitor.total_draws = (double)r->settings.draws * (double)r->cases.count;
+    size_t tests = LOBE_P_VALUES_A_CASE * run->suite.count;
+    run->settings.p_limit = lobe_sidak(LOBE_VERIFY_SIGNIFICANCE, tests);
+    run->outcomes = calloc(run->suite.chosen_count, sizeof *run->outcomes);
+    if (run->outcomes == NULL) {
+        lobe_run_stop(run, LOBE_VERIFY_NO_MEMORY, "out of memory; close other programs");
+        return;
+    }
+    if (o->state != NULL) lobe_state_open(run);
+    run->summary->resumed = count_done(run);
+    size_t left = run->suite.chosen_count - (size_t)run->summary->resumed;
+    run->monitor.on_progress = o->on_progress;
+    run->monitor.user = o->user;
+    run->monitor.total_draws = (double)run->settings.draws * (double)left;
 }
 
-static lobe_verify_result conclude(run *r) {
-    r->summary->draws = atomic_load(&r->monitor.draws);
-    for (size_t i = 0; i < r->cases.count; ++i) {
-        int is_finished = r->outcomes[i].is_done || atomic_load(&r->monitor.is_cancelled);
-        if (!is_finished) return fail(r, LOBE_VERIFY_NO_MEMORY, "out of memory; use fewer threads");
+/* ---- Running --------------------------------------------------------------------------------- */
+
+static void conclude(lobe_run *run) {
+    run->summary->draws = atomic_load(&run->monitor.draws);
+    if (run->trouble == LOBE_VERIFY_OK && run->reported < run->suite.chosen_count) {
+        lobe_run_stop(run, LOBE_VERIFY_CANCELLED, "cancelled; the cases reported had finished");
+    } else if (run->trouble == LOBE_VERIFY_OK && run->summary->tests_failed > 0) {
+        run->trouble = LOBE_VERIFY_FAILED;
     }
-    if (r->reported < r->cases.count) {
-        return fail(r, LOBE_VERIFY_CANCELLED, "cancelled; the cases reported had finished");
+}
+
+static void release(lobe_run *run) {
+    for (size_t i = 0; run->outcomes != NULL && i < run->suite.chosen_count; ++i) {
+        free(run->outcomes[i].picture);
     }
-    return r->summary->tests_failed > 0 ? LOBE_VERIFY_FAILED : LOBE_VERIFY_OK;
+    free(run->outcomes);
+    lobe_suite_free(&run->suite);
 }
 
 lobe_verify_result lobe_verify_run(const lobe_verify_options *options,
                                    lobe_verify_summary *summary) {
     *summary = (lobe_verify_summary){0};
-    run r = {.options = options, .summary = summary};
-    lobe_verify_result result = check_options(&r);
-    if (result != LOBE_VERIFY_OK) return result;
-    if (!choose_cases(&r)) {
-        result = fail(&r, LOBE_VERIFY_NO_MEMORY, "out of memory; close other programs");
-    } else if (r.cases.count == 0) {
-        result = fail(&r, LOBE_VERIFY_NO_CASES, "no case matches; list them to see their names");
-    } else {
-        set_up(&r);
-        run_cases(&r);
-        result = conclude(&r);
+    lobe_run run = {.options = options, .summary = summary};
+    check_options(&run);
+    if (run.trouble == LOBE_VERIFY_OK) make_suite(&run);
+    if (run.trouble == LOBE_VERIFY_OK) set_up(&run);
+    if (run.trouble == LOBE_VERIFY_OK) {
+        report_in_order(&run);
+        if (options->plugin != NULL) {
+            lobe_run_plugin_cases(&run);
+        } else {
+            lobe_run_library_cases(&run);
+        }
+        conclude(&run);
     }
-    free(r.cases.indices);
-    free(r.outcomes);
-    return result;
+    release(&run);
+    return run.trouble;
+}
+
+size_t lobe_verify_list(const lobe_verify_options *options,
+                        void (*on_case)(void *user, const lobe_verify_case *verify_case),
+                        void *user) {
+    lobe_verify_summary summary;
+    lobe_run run = {.options = options, .summary = &summary};
+    make_suite(&run);
+    size_t count = run.suite.chosen_count;
+    for (size_t i = 0; i < count && on_case != NULL; ++i) {
+        const lobe_case_title *title = lobe_run_title(&run, i);
+        on_case(user, &(lobe_verify_case){title->model, title->configuration});
+    }
+    release(&run);
+    return count;
 }

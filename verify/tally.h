@@ -9,11 +9,8 @@ typedef struct lobe_tally {
     uint64_t *counts;  /* a bin each, and the rejected draws last */
     double weight_sum; /* of weights cut to bins->cut */
     uint64_t draws;
+    uint64_t unsound; /* draws that break a promise: NaN, infinite, negative */
 } lobe_tally;
-
-/* The index-th random numbers of the settings' seed and stream, as the model takes them. */
-void lobe_random_numbers(const lobe_verify_model *model, const lobe_settings *settings,
-                         uint64_t index, double u[3]);
 
 /* Returns 0 without memory. After a cancellation the tally is incomplete. */
 int lobe_tally_make(lobe_tally *tally, const lobe_verify_model *model, const lobe_bins *bins,

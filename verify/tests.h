@@ -6,15 +6,15 @@
 #include "engine.h"
 #include "tally.h"
 
-/* chi2, rejected, furnace: draws against integrals. */
+/* chi2, rejected, furnace, sound: draws against integrals. */
 void lobe_test_draws(const lobe_verify_model *model, const lobe_settings *settings,
                      const lobe_bins *bins, const lobe_tally *tally, lobe_report *report);
 
-/* normalization, share, uniform, albedo: integrals against closed forms. */
+/* normalization, share, uniform, coverage, albedo: integrals against closed forms. */
 void lobe_test_integrals(const lobe_verify_model *model, const lobe_settings *settings,
                          const lobe_bins *bins, lobe_report *report);
 
-/* density, weight, bound, reciprocity, precision, support: values at single directions. */
+/* density, weight, bound, reciprocity, precision, length, support: values at single directions. */
 void lobe_test_directions(const lobe_verify_model *model, const lobe_settings *settings,
                           lobe_report *report);
 
@@ -25,7 +25,8 @@ void lobe_test_extreme(const lobe_verify_model *model, lobe_report *report);
 /* The larger one; a NaN is the worst there is. */
 double lobe_worse(double worst, double error);
 
-/* Uniform over the upper hemisphere. */
-void lobe_hemisphere_direction(const lobe_settings *settings, uint64_t index, double wo[3]);
+/* Uniform over the upper hemisphere, in the precision of the model. */
+void lobe_hemisphere_direction(const lobe_verify_model *model, const lobe_settings *settings,
+                               uint64_t index, double wo[3]);
 
 #endif

@@ -16,6 +16,10 @@ typedef struct lobe_random4 {
 /* Four independent uniform words: key = seed, counter = (counter, stream). */
 LOBE_API lobe_random4 lobe_random(uint64_t seed, uint64_t stream, uint64_t counter);
 
+/* Blocks first, first + 1, ... first + count - 1 of the same sequence, at about half the time each. */
+LOBE_API void lobe_random_many(uint64_t seed, uint64_t stream, uint64_t first, uint32_t count,
+                               lobe_random4 *blocks);
+
 /* Words to numbers in [0, 1): the top 24 bits, or 53 bits of two words. */
 LOBE_API float lobe_random_unit_f32(uint32_t word);
 LOBE_API double lobe_random_unit_f64(uint32_t high, uint32_t low);

@@ -1,10 +1,12 @@
 """lobe verify: table, last line, status; and that it says the same every time."""
 import json
+import os
 import signal
 import subprocess
 
 from program import PROGRAM, ProgramTest, main, run
 
+WRONG = os.environ["LOBE_BUILD_DIR"] + "/examples/plugin/ggx_without_g1.so"
 FEW = ["--only", "caps f32*theta=60", "--draws", "20000"]
 
 
@@ -32,16 +34,34 @@ class VerifyTest(ProgramTest):
         self.assertIn("chi2", {row["test"] for row in rows})
 
     def test_failure_is_status_3(self):
-        """Two million draws show the error of the published fit, and none of the exact inversion."""
-        few = ["--draws", "2000000", "--failures"]
-        case = " f32 alpha=0.1,1 theta=60"
-        wrong = run("verify", "--only", "slope-published" + case, *few)
+        wrong = run("verify", "--plugin", WRONG, "--only", "alpha_x=0.3*theta=75", "--failures")
         self.assertEqual((wrong.returncode, wrong.stderr), (3, b""))
         lines = wrong.stdout.decode().splitlines()
         self.assertRegex(lines[-1], r"^\d+ passed, [1-9]\d* failed$")
-        self.assertTrue(all(line.startswith("FAILED slope-published") for line in lines[:-1]))
-        right = run("verify", "--only", "slope" + case, *few)
-        self.assertEqual(right.returncode, 0)
+        self.assertTrue(all(line.startswith("FAILED ggx_without_g1") for line in lines[:-1]))
+
+    def test_published_failures_are_set_apart(self):
+        """Two million draws show the error of the published fit, and none of the exact inversion."""
+        few = ["--draws", "2000000", "--failures"]
+        case = " f32 alpha=0.1,1 theta=60"
+        lines = self.done("verify", "--only", "slope-published" + case, *few).decode().splitlines()
+        self.assertRegex(lines[0], r"^known +slope-published .* chi2 ")
+        self.assertEqual(lines[-2], f"{len(lines) - 2} failed as documented")
+        self.assertRegex(lines[-1], r"^\d+ passed, 0 failed$")
+        self.assertEqual(len(self.done("verify", "--only", "slope" + case, *few).splitlines()), 1)
+
+    def test_full_is_spread(self):
+        """Without --only, full takes an even choice: every model, every configuration, bounded."""
+        everything = self.done("verify", "--list").decode().splitlines()
+        spread = self.done("verify", "--full", "--list").decode().splitlines()
+        self.assertEqual(self.done("verify", "--full", "--list", "--only", "*").decode().splitlines(),
+                         everything)
+        self.assertLessEqual(len(spread), 500)
+        self.assertGreaterEqual(len(spread), min(len(everything), 130))
+        split = [(case[:case.index(" alpha")], case[case.index("alpha"):]) for case in spread]
+        whole = [(case[:case.index(" alpha")], case[case.index("alpha"):]) for case in everything]
+        self.assertEqual({model for model, _ in split}, {model for model, _ in whole})
+        self.assertEqual({where for _, where in split}, {where for _, where in whole})
 
     def test_interrupt(self):
         """Ctrl-C prints what is done: whole rows, as many as the last line counts."""

@@ -23,6 +23,21 @@ static void known_answers(void **state) {
                  0xd16cfe09, 0x94fdcceb, 0x5001e420, 0x24126ea1);
 }
 
+/* Also across the carry into the upper word, and for counts that fill no vector. */
+static void many_blocks_are_the_same_blocks(void **state) {
+    (void)state;
+    enum { COUNT = 45 };
+    lobe_random4 blocks[COUNT];
+    for (uint32_t count = 0; count <= COUNT; ++count) {
+        uint64_t first = 0xFFFFFFF0u + (uint64_t)count;
+        lobe_random_many(7, 1ull << 40, first, count, blocks);
+        for (uint32_t i = 0; i < count; ++i) {
+            lobe_random4 one = lobe_random(7, 1ull << 40, first + i);
+            assert_memory_equal(&one, &blocks[i], sizeof one);
+        }
+    }
+}
+
 static void unit_numbers_stay_below_one(void **state) {
     (void)state;
     assert_true(lobe_random_unit_f32(UINT32_MAX) < 1.0f);
@@ -35,6 +50,7 @@ static void unit_numbers_stay_below_one(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(known_answers),
+                                       cmocka_unit_test(many_blocks_are_the_same_blocks),
                                        cmocka_unit_test(unit_numbers_stay_below_one)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

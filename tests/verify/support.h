@@ -15,7 +15,7 @@
 static inline void run_engine(const lobe_verify_model *model, const lobe_settings *settings,
                               lobe_report *report) {
     lobe_monitor monitor = {.total_draws = 1};
-    assert_true(lobe_verify_model_run(model, settings, &monitor, report));
+    assert_true(lobe_verify_model_run(model, settings, &monitor, report, NULL));
 }
 
 static inline int count_failures(const lobe_report *report) {

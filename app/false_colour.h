@@ -1,0 +1,17 @@
+/* app/false_colour.h: numbers on a grid as a picture in a page. */
+#ifndef LOBE_APP_FALSE_COLOUR_H
+#define LOBE_APP_FALSE_COLOUR_H
+
+#include <stdbool.h>
+#include <stdio.h>
+
+typedef enum lobe_app_ramp {
+    LOBE_APP_RAMP_AMOUNT,    /* 0 to `most`, dark to light, evenly in the square root */
+    LOBE_APP_RAMP_DIFFERENCE /* -most to most, blue through white to red */
+} lobe_app_ramp;
+
+/* Writes size x size values as a PNG in a data URI; NAN is transparent. false: out of memory. */
+bool lobe_app_write_false_colour(FILE *file, const float *values, int size, lobe_app_ramp ramp,
+                                 float most);
+
+#endif
