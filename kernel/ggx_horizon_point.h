@@ -23,17 +23,22 @@ K_STRUCT(ggx_horizon_set) {
     real share;     /* weight = share G2/G1(i) / spread */
 };
 
-K_FN ggx_horizon_set ggx_horizon_set_of(ggx_base g, ggx_useful u) {
+/* f: of the reflections above the surface, or of another cone that the sampler stays in */
+K_FN ggx_horizon_set ggx_horizon_set_of_frame(ggx_base g, ggx_horizon_frame f, real i_z) {
     ggx_horizon_set s;
     s.g = g;
-    s.f = ggx_horizon_frame_of(u);
-    s.front = k_flag(u.i.z > R(0.0));
-    s.c = u.c;
+    s.f = f;
+    s.front = k_flag(i_z > R(0.0));
+    s.c = k_max(i_z, R(0.0));
     s.rise = g.t_i * s.f.lambda;
     real four_t_ab = R(4.0) * g.t_i * s.f.a * s.f.b;
     s.pdf_scale = g.density_bias / four_t_ab;
     s.share = four_t_ab * g.value_scale / g.density_bias;
     return s;
+}
+
+K_FN ggx_horizon_set ggx_horizon_set_of(ggx_base g, ggx_useful u) {
+    return ggx_horizon_set_of_frame(g, ggx_horizon_frame_of(u), u.i.z);
 }
 
 /* With no second plane every draw leaves; with one there is no closed form. */

@@ -76,10 +76,10 @@ K_FN v3 load(real (*arrays)[BLOCK], int i) {
         for (int i = 0, whole = whole_vectors(n); i < whole; ++i)                                  \
             kernel##_eval_row(g, s, b, i, true);                                                   \
     }
-LOBE_MODELS(DEFINE_ROW)
+ALL_MODELS(DEFINE_ROW)
 #undef DEFINE_ROW
 
 #define TABLE_ROW(NDF, MASKING, METHOD, kernel)                                                    \
     {kernel##_sample_each, kernel##_sample_shared, kernel##_eval_each, kernel##_eval_shared},
-const batch_row BATCH_TABLE[ROW_COUNT] = {LOBE_MODELS(TABLE_ROW)};
+const batch_row BATCH_TABLE[ROW_COUNT] = {ALL_MODELS(TABLE_ROW)};
 #undef TABLE_ROW

@@ -16,6 +16,8 @@
 #include "../kernel/ggx_horizon.h"
 #include "../kernel/ggx_horizon_exact.h"
 #include "../kernel/ggx_horizon_mirror.h"
+#include "../kernel/ggx_horizon_plane_ellipse.h"
+#include "../kernel/ggx_horizon_plane_table.h"
 #include "../kernel/ggx_horizon_uniform.h"
 #include "../kernel/ggx_ndf.h"
 #include "../kernel/ggx_optimal.h"
@@ -35,8 +37,16 @@
 #define JOIN_EXPANDED(a, b) JOIN(a, b)
 #define FAMILY(NDF, MASKING, suffix) JOIN_EXPANDED(FAMILY_##NDF##_##MASKING, suffix)
 
+/* What stands in for a model above a geometric surface that is tilted enough: X as in LOBE_MODELS. A
+ * model without one rejects what goes below that surface. */
+#define TILTED_MODELS(X)                                                                           \
+    X(GGX, SMITH, HORIZON_MIRROR, ggx_horizon_plane_ellipse)                                       \
+    X(GGX, SMITH, HORIZON, ggx_horizon_plane_table)
+
+#define ALL_MODELS(X) LOBE_MODELS(X) TILTED_MODELS(X)
+
 #define ROW_INDEX(NDF, MASKING, METHOD, kernel) INDEX_##kernel,
-enum { LOBE_MODELS(ROW_INDEX) ROW_COUNT };
+enum { ALL_MODELS(ROW_INDEX) ROW_COUNT };
 #undef ROW_INDEX
 
 /* The row of a model, -1 where the combination does not exist. */

@@ -95,14 +95,14 @@ static eval_type eval_of(facet_pair pair, facet_eval known, real pdf_m, real pdf
         LOAD(kernel, s);                                                                           \
         return g.mirror ? facet_mirror_draw(g.wi, g.plane).pdf : kernel##_acceptance(s);           \
     }
-LOBE_MODELS(DEFINE_ROW)
+ALL_MODELS(DEFINE_ROW)
 #undef DEFINE_ROW
 #undef LOAD
 
 #define TABLE_ROW(NDF, MASKING, METHOD, kernel)                                                    \
     {kernel##_row_prepare, kernel##_row_draw,   kernel##_row_pdf,                                  \
      kernel##_row_eval_wo, kernel##_row_eval_m, kernel##_row_acceptance},
-static const row rows[ROW_COUNT] = {LOBE_MODELS(TABLE_ROW)};
+static const row rows[ROW_COUNT] = {ALL_MODELS(TABLE_ROW)};
 #undef TABLE_ROW
 
 /* One more than the index of a model's row; 0 where the combination does not exist. */
@@ -110,12 +110,28 @@ static const row rows[ROW_COUNT] = {LOBE_MODELS(TABLE_ROW)};
     [LOBE_NDF_##NDF][LOBE_MASKING_##MASKING][LOBE_METHOD_##METHOD] = INDEX_##kernel + 1,
 static const unsigned char row_of[LOBE_NDF_COUNT][LOBE_MASKING_COUNT][LOBE_METHOD_COUNT] = {
     LOBE_MODELS(FIND_ROW)};
+/* The cosine of the tilt from which on a model for two planes is worth its price. */
+#define TILT_COSINE R(0.94)
+
+static const unsigned char tilted_row_of[LOBE_NDF_COUNT][LOBE_MASKING_COUNT][LOBE_METHOD_COUNT] = {
+    TILTED_MODELS(FIND_ROW)};
 #undef FIND_ROW
 
 int LOBE_NAME(find_row)(lobe_model m) {
     bool known = (unsigned)m.ndf < LOBE_NDF_COUNT && (unsigned)m.masking < LOBE_MASKING_COUNT &&
                  (unsigned)m.method < LOBE_METHOD_COUNT;
     return known ? row_of[m.ndf][m.masking][m.method] - 1 : -1;
+}
+
+/* The row of a model that exists, above a plane. Preparing for two planes costs several times as much:
+ * below this tilt, rejecting by the second plane is cheaper than sampling without it
+ * (docs/horizon-planes.md). One rule for sampler and density: they share the prepared row. */
+static int row_above(lobe_model m, v3 plane) {
+    unsigned char tilted = tilted_row_of[m.ndf][m.masking][m.method];
+    if (m.method == LOBE_METHOD_HORIZON_UNIFORM)
+        tilted = tilted_row_of[m.ndf][m.masking][LOBE_METHOD_HORIZON]; /* with a floor of 1 */
+    bool is_steep = plane.z < TILT_COSINE;
+    return is_steep && tilted ? tilted - 1 : LOBE_NAME(find_row)(m);
 }
 
 static model_type no_model(void) {
@@ -130,9 +146,10 @@ model_type LOBE_NAME(reflection_prepare_above)(lobe_reflection_options options, 
     facet_options choices = facet_options_of(options.g2 == LOBE_G2_SEPARABLE,
                                              options.normalization == LOBE_NORMALIZATION_PREVIOUS);
     choices.plane = in(geometric_normal);
-    choices.floor_share = (real)options.floor;
-    int index = LOBE_NAME(find_row)(options.model);
-    if (index < 0) return no_model();
+    bool is_uniform = options.model.method == LOBE_METHOD_HORIZON_UNIFORM;
+    choices.floor_share = is_uniform ? R(1.0) : (real)options.floor;
+    if (LOBE_NAME(find_row)(options.model) < 0) return no_model();
+    int index = row_above(options.model, choices.plane);
     return rows[index].prepare(in(wi), alpha_x, alpha_y, choices);
 }
 

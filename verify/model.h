@@ -17,7 +17,7 @@ typedef struct lobe_verify_draw {
 
 /* Room for what a model prepares for one wi. */
 typedef union lobe_verify_state {
-    unsigned char bytes[1024];
+    unsigned char bytes[2048];
     long double align;
 } lobe_verify_state;
 
