@@ -109,7 +109,7 @@ typedef struct lobe_reflection_f32 {
     float alpha_x;     /* as used, after the floor */
     float alpha_y;
     lobe_vec3_f32 wi;
-    float prepared[160]; /* private */
+    float prepared[128]; /* private */
 } lobe_reflection_f32;
 
 typedef struct lobe_reflection_f64 {
@@ -119,7 +119,7 @@ typedef struct lobe_reflection_f64 {
     double alpha_x;
     double alpha_y;
     lobe_vec3_f64 wi;
-    double prepared[160];
+    double prepared[128];
 } lobe_reflection_f64;
 
 /* One draw. A draw whose reflection does not leave the surface has pdf = 0 and weight = 0: count it
