@@ -13,7 +13,7 @@ from program import ProgramTest, main, run
 BUILD = Path(os.environ["LOBE_BUILD_DIR"])
 EXAMPLES = BUILD / "examples" / "plugin"
 BAD = BUILD / "tests" / "plugins"
-QUICK = ["--case-seconds", "4", "--only", "theta=[03]*"]
+QUICK = ["--case-seconds", "2", "--only", "theta=[03]*"]
 
 
 def example(name):
@@ -47,7 +47,8 @@ class PluginTest(ProgramTest):
             if name == "translucent" and not os.path.exists(example(name)):
                 continue  # no C++ compiler here
             with self.subTest(name):
-                last = self.done("verify", "--plugin", example(name)).decode().splitlines()[-1]
+                few = ["--plugin", example(name), "--draws", "30000"]
+                last = self.done("verify", *few).decode().splitlines()[-1]
                 self.assertRegex(last, r"^[1-9]\d+ passed, 0 failed$")
 
     def test_wrong_examples_fail(self):
@@ -86,6 +87,7 @@ class PluginTest(ProgramTest):
             return  # the sanitizer needs more address space than the limit
         failed = self.failed(bad("memory"), "--case-seconds", "10", "--only", "theta=0")
         self.assertEqual([row["test"] for row in failed], ["survival"])
+        self.assertIn("crashed", failed[0]["detail"])
 
     def test_nan_is_reported(self):
         tests = {row["test"] for row in self.failed(bad("nan"), "--only", "theta=30")}

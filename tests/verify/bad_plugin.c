@@ -25,7 +25,7 @@ static void misbehave(lobe_plugin_draw *draw) {
     for (volatile int i = 0;; i = !i) continue;
 #elif defined(BAD_MEMORY)
     for (;;) {
-        char *volatile block = malloc(1 << 26);
+        volatile char *block = malloc(1 << 26);
         *block = 1; /* crashes where malloc gives up, as unguarded code does */
     }
 #elif defined(BAD_NAN)
