@@ -163,7 +163,8 @@ K_FN real k_erfcx_defect(real x) {
 }
 
 /* Worst errors, every float on which the values are not 0, 1, 2 or a power of x (tools/numerics/worst_error.c):
- * erf 1.31 ulp at 0x1.fd1802p-1, erfc 1.61 ulp at 0x1.8ae4c8p+0, of negative numbers 1.0 ulp at -0x1.d58158p-2, scaled
- * 1.45 ulp at 0x1.9f566ep-1 and 1.72 ulp at -0x1.072a6ep-1, the defect 1.03 ulp at 0x1.648e86p+2. Double: below 1.3 ulp on the points of tests/kernel/special_vectors.h. */
+ * erf 1.31 ulp at 0x1.fd1802p-1; erfc 1.61 ulp at 0x1.8ae4c8p+0, of negative numbers 1.0 ulp at -0x1.d58158p-2;
+ * scaled erfc 1.45 ulp at 0x1.9f566ep-1 and 1.72 ulp at -0x1.072a6ep-1; its defect 1.03 ulp at 0x1.648e86p+2.
+ * Double: below 1.3 ulp on the points of tests/kernel/special_vectors.h. */
 
 #endif
