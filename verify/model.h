@@ -49,7 +49,7 @@ typedef struct lobe_verify_model {
     double albedo_oracle;                 /* integral of the value */
     int is_reciprocal;
     int covers_sphere;    /* its one chart reaches below the surface too, where its draws go */
-    int has_jumps;        /* the density has; 0: its integrals converge fast */
+    int has_jumps;        /* or kinks: the integrals of the density converge slowly */
     int is_mirror;        /* a point mass, not a density */
     int takes_legal_only; /* promises nothing for NaN, infinities and vectors without unit length */
     const char *known_bias; /* names of tests that a published error makes fail: "chi2 furnace" */

@@ -94,6 +94,7 @@ void lobe_reflection_subject_make(lobe_reflection_subject *subject,
         geometric_normal(&parameters, precision, plane);
         subject->plane_chart = lobe_plane_chart_prepare(model->wi, plane, ax, ay);
         model->chart = lobe_plane_chart_view(&subject->plane_chart);
+        model->has_jumps = 1; /* kinks, where one plane takes over from the other */
     }
     model->is_reciprocal = 1;
     model->is_mirror = fmax(parameters.alpha_x, parameters.alpha_y) < LOBE_ALPHA_MIN;
