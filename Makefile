@@ -1,6 +1,6 @@
 # The front door. The build itself is CMake's; see CMakePresets.json.
 
-.PHONY: all demo check bench dropin clean help
+.PHONY: all demo check bench dropin horizon-results clean help
 
 all:
 	@tools/setup.sh build
@@ -20,6 +20,10 @@ bench: all
 dropin:
 	@tools/dropin.sh build/dropin
 
+horizon-results: all
+	@cc -O2 -Iinclude tools/numerics/furnace_variance.c build/liblobe.a -lm -o build/furnace_variance
+	@tools/horizon_results.py
+
 clean:
 	rm -rf build
 
@@ -29,4 +33,5 @@ help:
 	@echo "make check   every build, check and test"
 	@echo "make bench   time every sampler against its published listing"
 	@echo "make dropin  single files of the samplers in C, GLSL and HLSL"
+	@echo "make horizon-results  measure docs/horizon-results.md (needs python3-numpy)"
 	@echo "make clean   remove build/"

@@ -84,8 +84,8 @@ static surface_draw rejected(int is_ggx) {
     return (surface_draw){.is_ggx = is_ggx};
 }
 
-static surface_draw draw_ggx(const surface *s, float u1, float u2) {
-    lobe_reflection_draw_f32 d = lobe_reflection_sample_f32(&s->ggx, u1, u2, 0.0f);
+static surface_draw draw_ggx(const surface *s, float u1, float u2, float u3) {
+    lobe_reflection_draw_f32 d = lobe_reflection_sample_f32(&s->ggx, u1, u2, u3);
     if (!(d.pdf > 0.0f)) return rejected(1);
     vec3 direction = frame_to_world(&s->frame, d.wo);
     surface_draw draw = {.direction = direction, .pdf = d.pdf, .is_ggx = 1};
@@ -111,5 +111,7 @@ static surface_draw draw_base(const surface *s, float u1, float u2) {
 }
 
 surface_draw lobe_surface_draw(const surface *s, float choice, float u1, float u2) {
-    return choice < s->specular ? draw_ggx(s, u1, u2) : draw_base(s, u1, u2);
+    /* what is left of the choice is a number of its own */
+    if (choice < s->specular) return draw_ggx(s, u1, u2, choice / s->specular);
+    return draw_base(s, u1, u2);
 }

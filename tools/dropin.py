@@ -78,6 +78,7 @@ def plain(text, language):
     suffix = "f" if language == "c" else ""
     text = re.sub(r"\bR\(([^()]*)\)", lambda m: m[1] + suffix, text)
     text = re.sub(r"\bK_INT\(([^()]*)\)", r"\1", text)
+    text = re.sub(r"\bK_IS_F64\b", "0", text)
     text = re.sub(r"\breal\b", "float", text)
     text = re.sub(r"\bkint\b", "int32_t" if language == "c" else "int", text)
     text = re.sub(r"\bK_FN ", "static inline " if language == "c" else "", text)

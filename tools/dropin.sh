@@ -19,3 +19,5 @@ make() {
 
 out=$1
 make lobe_ggx "Smith-GGX reflection: caps, bounded caps, optimal caps" ggx_optimal ggx_bounded ggx_caps
+make lobe_horizon "Smith-GGX reflection by horizon sampling: nothing rejected, shadowing followed" \
+    ggx_horizon ggx_horizon_uniform
