@@ -7,7 +7,7 @@ cd "$(dirname "$0")/.."
 lobe=build/lobe
 out=build/demo
 scenes=../shared/scenes
-methods="ndf ellipsoid caps bounded optimal"
+methods="ndf ellipsoid caps bounded optimal horizon"
 mkdir -p "$out"
 
 picture() { # FILE, then the arguments of lobe render
