@@ -168,7 +168,7 @@ typedef enum lobe_multiscatter {
 } lobe_multiscatter;
 
 typedef struct lobe_render_options {
-    lobe_reflection_options reflection; /* default lobe_reflection_default_options(), floor 0.1 */
+    lobe_reflection_options reflection; /* default Smith-GGX, bounded; floor 0.1 */
     lobe_multiscatter multiscatter;     /* not NONE: Smith-GGX only; default NONE */
     int width, height;                  /* pixels, 1 to LOBE_RENDER_SIZE_MAX; default 960 x 540 */
     uint32_t samples;   /* camera paths a pixel, 1 to LOBE_RENDER_SAMPLES_MAX; default 64 */
