@@ -6,6 +6,7 @@ BAD_VALUES = {
     "--alpha": ["-1", "-0.1,0.3", "0.3,-0.1", "nan", "inf", "-inf", "", "a", "0.3,", ",0.3",
                 "0.3,0.3,0.3", "1e999", "0x1p3", "0.3 ", " 0.3", "1e39", "9" * 5000],
     "--wi": ["0,0,0", "0,0", "0,0,0,1", "0,0,-1", "nan,0,1", "0,inf,1", "", "z", "0;0;1", "1e999,0,1"],
+    "--floor": ["-0.1", "1.1", "nan", "inf", "x", "0,1", ""],
     "--geometric-normal": ["0,0,0", "1,0", "nan,0,1", "0,0,-1", ""],
     "--method": ["", "newton", "OPTIMAL", "optimal ", "best"],
     "--ndf": ["beckmann", ""],
@@ -43,6 +44,11 @@ class ErrorTest(ProgramTest):
                     required = MODEL[:at] + MODEL[at + 2:]
                 for value in values:
                     self.rejected(command, *required, option, value, where=option)
+
+    def test_floor_goes_with_horizon(self):
+        for command in ("sample", "eval"):
+            self.rejected(command, *MODEL, "--method", "caps", "--floor", "0.1", where="--floor")
+        self.rejected("render", "furnace", "--json", "--floor", "0.1", where="--floor")
 
     def test_sample_values(self):
         for option, values in BAD_SAMPLE_VALUES.items():
