@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdio.h>
 
-#include <lobe/random.h>
+#include <lobe/batch.h>
 
 #include "number.h"
 
@@ -229,17 +229,13 @@ lobe_reflection_eval_f64 lobe_app_eval_m(const lobe_app_model *model, lobe_vec3_
 }
 
 void lobe_app_random(const lobe_app_model *model, uint64_t seed, uint64_t row, double u[3]) {
-    const lobe_random4 words = lobe_random(seed, 0, row);
-    if (model->precision == LOBE_APP_F32) {
-        u[0] = lobe_random_unit_f32(words.word[0]);
-        u[1] = lobe_random_unit_f32(words.word[2]);
-        u[2] = lobe_random_unit_f32(words.word[1]);
-    } else {
-        const lobe_random4 more = lobe_random(seed, 1, row);
-        u[0] = lobe_random_unit_f64(words.word[0], words.word[1]);
-        u[1] = lobe_random_unit_f64(words.word[2], words.word[3]);
-        u[2] = lobe_random_unit_f64(more.word[0], more.word[1]);
+    if (model->precision == LOBE_APP_F64) {
+        lobe_draw_numbers_f64(seed, row, u);
+        return;
     }
+    float narrow_u[3];
+    lobe_draw_numbers_f32(seed, row, narrow_u);
+    for (int k = 0; k < 3; k++) u[k] = narrow_u[k];
 }
 
 bool lobe_app_normalize(lobe_app_precision precision, lobe_vec3_f64 *v) {

@@ -3,7 +3,7 @@
  * Before including: the binding of the precision, and
  *   LOBE_NAME(stem)   lobe_stem_f32 or lobe_stem_f64
  * The models come from LOBE_MODELS. Each is a kernel of five functions (prepare, draw, pdf, pdf_m,
- * acceptance) over a family of five (base_of, pair_of_wo, pair_of_m, eval; kernel/facet.h). */
+ * acceptance) over a family of four (base_of, pair_of_wo, pair_of_m, eval; kernel/facet.h). */
 #include "models.h"
 
 typedef LOBE_NAME(reflection) model_type;

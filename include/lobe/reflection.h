@@ -183,7 +183,7 @@ LOBE_API lobe_reflection_f64 lobe_reflection_prepare_above_f64(lobe_reflection_o
                                                                double alpha_y,
                                                                lobe_vec3_f64 geometric_normal);
 
-/* Draw wo. u3 is read by methods that need a third number; none of the present ones does. */
+/* Draw wo. u3 is read by `horizon-mirror` only, and must be random there. */
 LOBE_API lobe_reflection_draw_f32 lobe_reflection_sample_f32(const lobe_reflection_f32 *model,
                                                              float u1, float u2, float u3);
 LOBE_API lobe_reflection_draw_f64 lobe_reflection_sample_f64(const lobe_reflection_f64 *model,
