@@ -79,8 +79,7 @@ static int print_model(lobe_model model, uint64_t rows) {
             const uint64_t hash =
                 is_double ? hash_of_f64(options, rows) : hash_of_f32(options, rows);
             if (k == 0) first = hash;
-            if (hash != first)
-                fprintf(stderr, "bits: %s disagrees with scalar\n", lobe_isa_at(k));
+            if (hash != first) fprintf(stderr, "bits: %s disagrees with scalar\n", lobe_isa_at(k));
             disagree |= hash != first;
         }
         printf("%s %s %s %s %016" PRIx64 "\n", lobe_ndf_name(model.ndf),
