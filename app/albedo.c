@@ -12,16 +12,11 @@
 #include "number.h"
 #include "table.h"
 
-typedef enum albedo_method {
-    METHOD_QUADRATURE,
-    METHOD_TABLE,
-    METHOD_FIT,
-    METHOD_WALK
-} albedo_method;
-typedef enum compensation { COMPENSATION_NONE, KULLA_CONTY, TURQUIN } compensation;
+typedef enum albedo_method { METHOD_QUADRATURE, METHOD_TABLE, METHOD_FIT } albedo_method;
+typedef enum compensation { COMPENSATION_NONE, KULLA_CONTY, TURQUIN, WALK } compensation;
 
-static const char *const methods[] = {"quadrature", "table", "fit", "walk", NULL};
-static const char *const compensations[] = {"none", "kulla-conty", "turquin", NULL};
+static const char *const methods[] = {"quadrature", "table", "fit", NULL};
+static const char *const compensations[] = {"none", "kulla-conty", "turquin", "walk", NULL};
 static const char *const formats[] = {"csv", "ndjson", NULL};
 
 enum { COSINES_MAX = 256, LAWS_MAX = 16 };
@@ -96,10 +91,10 @@ static const lobe_app_option options[] = {
      read_cosines, MEMBER(mu), NULL},
     {"--wi", "X,Y,Z", "none", "one direction above the surface, of any length, instead of --mu",
      lobe_app_read_direction, MEMBER(model.wi), NULL},
-    {"--method", "NAME", "quadrature",
-     "where E comes from; fit: equal roughnesses; walk: random walks over all scatterings",
+    {"--method", "NAME", "quadrature", "where E comes from; fit: Smith, equal roughnesses",
      lobe_app_read_choice, MEMBER(method), methods},
-    {"--multiscatter", "NAME", "none", "what compensates for the scatterings after the first",
+    {"--multiscatter", "NAME", "none",
+     "what makes up for the scatterings after the first; walk: they themselves, by random walks",
      lobe_app_read_choice, MEMBER(compensation), compensations},
     {"--fresnel", "F[/F...]", "none",
      "reflectance of a microfacet: none (F = 1), F0 (Schlick), f82:F0,TINT, dielectric:IOR, "
@@ -139,9 +134,8 @@ static double missing_toward(const source *s, lobe_vec3_f64 w) {
         return (double)lobe_albedo_missing_f32(&s->table,
                                                (lobe_vec3_f32){(float)w.x, (float)w.y, (float)w.z});
     case METHOD_FIT:
-        return lobe_albedo_fit_missing_f64(s->surface.g2, s->surface.alpha_x, w.z);
+        return lobe_albedo_fit_missing_f64(s->surface.ndf, s->surface.g2, s->surface.alpha_x, w.z);
     case METHOD_QUADRATURE:
-    case METHOD_WALK:
         break;
     }
     return 1 - lobe_albedo(s->surface, lobe_reflectance_one(), w, LOBE_EFFORT_FINE);
@@ -172,12 +166,12 @@ static source source_of(const albedo_values *v) {
     if (s.method == METHOD_TABLE)
         s.missing_average = (double)s.table.missing_average;
     else if (s.method == METHOD_FIT)
-        s.missing_average = lobe_albedo_fit_missing_average_f64(s.surface.g2, s.surface.alpha_x);
+        s.missing_average =
+            lobe_albedo_fit_missing_average_f64(s.surface.ndf, s.surface.g2, s.surface.alpha_x);
     else
         s.missing_average =
             fmax(1 - lobe_albedo_average(s.surface, lobe_reflectance_one(), LOBE_EFFORT_FINE), 0);
-    const bool is_approximate = s.method == METHOD_TABLE || s.method == METHOD_FIT;
-    s.missing = is_approximate ? missing_of(&s) : s.missing_average;
+    s.missing = s.method == METHOD_QUADRATURE ? s.missing_average : missing_of(&s);
     return s;
 }
 
@@ -194,58 +188,55 @@ static double furnace_of(const source *s, lobe_reflectance f, compensation c, lo
     return first;
 }
 
-/* The walks toward one direction; false: interrupted. */
-static bool walk(const albedo_values *v, lobe_microsurface s, lobe_vec3_f64 wi, double *e,
+/* What all scatterings toward one direction reflect by each law; false: interrupted. */
+static bool walk(const albedo_values *v, lobe_microsurface s, lobe_vec3_f64 wi,
                  double furnace[LAWS_MAX]) {
     enum { MOST = 100000 };
-    uint64_t first = 0;
     for (int k = 0; k < v->fresnel.count; k++) furnace[k] = 0;
     for (uint64_t i = 0; i < v->walks && !lobe_app_interrupted; i++) {
         double weight[LAWS_MAX];
-        first += lobe_walk_sample(s, v->fresnel.law, v->fresnel.count, wi, v->seed, i, MOST, weight)
-                     .bounces == 1;
+        lobe_walk_sample(s, v->fresnel.law, v->fresnel.count, wi, v->seed, i, MOST, weight);
         for (int k = 0; k < v->fresnel.count; k++) furnace[k] += weight[k];
     }
     for (int k = 0; k < v->fresnel.count; k++) furnace[k] /= (double)v->walks;
-    *e = (double)first / (double)v->walks;
     return !lobe_app_interrupted;
 }
 
 static const char *const columns[] = {"mu", "e", "e_avg", "f_avg", "f_ms", "furnace", NULL};
 
+/* The colour of the scatterings after the first, as walked. */
+static double walked_fms(const source *s, lobe_reflectance f, lobe_vec3_f64 wi, double lacks,
+                         double walked) {
+    const double first = lobe_albedo(s->surface, f, wi, LOBE_EFFORT_FINE);
+    return lacks > 0 ? (walked - first) / lacks : 1;
+}
+
 /* false: standard output is closed, or interrupted. */
 static bool write_direction(const albedo_values *v, const source *s, const lobe_app_table *table,
                             lobe_vec3_f64 wi) {
-    double walked[LAWS_MAX], e;
-    if (s->method == METHOD_WALK) {
-        if (!walk(v, s->surface, wi, &e, walked)) return false;
-    } else {
-        e = 1 - missing_toward(s, wi);
-    }
+    const compensation c = (compensation)v->compensation;
+    double walked[LAWS_MAX];
+    if (c == WALK && !walk(v, s->surface, wi, walked)) return false;
+    const double lacks = missing_toward(s, wi);
     for (int k = 0; k < v->fresnel.count; k++) {
         const lobe_reflectance f = v->fresnel.law[k];
         const double f_avg = lobe_reflectance_average(f);
-        const double f_ms = lobe_multiscatter_fms_f64(f_avg, s->missing_average);
-        const double furnace =
-            s->method == METHOD_WALK
-                ? walked[k]
-                : furnace_of(s, f, (compensation)v->compensation, wi, 1 - e, f_ms);
-        const double row[] = {wi.z, e, 1 - s->missing_average, f_avg, f_ms, furnace};
+        const double f_ms = c == WALK ? walked_fms(s, f, wi, lacks, walked[k])
+                                      : lobe_multiscatter_fms_f64(f_avg, s->missing_average);
+        const double furnace = c == WALK ? walked[k] : furnace_of(s, f, c, wi, lacks, f_ms);
+        const double row[] = {wi.z, 1 - lacks, 1 - s->missing_average, f_avg, f_ms, furnace};
         if (!lobe_app_write_row(table, row)) return false;
     }
     return true;
 }
 
 static lobe_app_status check(const albedo_values *v, const lobe_app_arguments *arguments) {
-    lobe_model model;
     lobe_app_status status;
     if ((status = lobe_app_exclude(arguments, "--json", "--format"))) return status;
     if ((status = lobe_app_exclude(arguments, "--wi", "--mu"))) return status;
-    if ((status = lobe_app_choose_model(v->model.ndf, v->model.masking, LOBE_METHOD_COUNT, &model)))
-        return status;
     const double *alpha = v->model.alpha;
-    const lobe_microsurface s = {model.ndf, model.masking, (lobe_g2)v->model.g2, alpha[0],
-                                 alpha[1]};
+    const lobe_microsurface s = {(lobe_ndf)v->model.ndf, (lobe_masking)v->model.masking,
+                                 (lobe_g2)v->model.g2, alpha[0], alpha[1]};
     if (!lobe_app_is_given(arguments, "--alpha"))
         return lobe_app_reject("--alpha", "give the roughness, as in --alpha 0.3", "missing");
     if (!(v->model.wi.z > 0))
@@ -253,20 +244,16 @@ static lobe_app_status check(const albedo_values *v, const lobe_app_arguments *a
     if (isnan(lobe_albedo(s, lobe_reflectance_one(), v->model.wi, LOBE_EFFORT_COARSE)))
         return lobe_app_reject("--alpha", "give a smaller roughness", "%g,%g is too large",
                                alpha[0], alpha[1]);
-    const bool is_ggx = s.ndf == LOBE_NDF_GGX && s.masking == LOBE_MASKING_SMITH;
-    if (v->method != METHOD_QUADRATURE && !is_ggx)
-        return lobe_app_reject("--method", "take --method quadrature",
-                               "%s is known for --ndf ggx --masking smith only",
-                               methods[v->method]);
-    if (v->method == METHOD_FIT && (alpha[0] != alpha[1] || alpha[0] > 1))
+    if (v->method == METHOD_FIT &&
+        (s.masking != LOBE_MASKING_SMITH || alpha[0] != alpha[1] || alpha[0] > 1))
         return lobe_app_reject("--method", "take --method table or quadrature",
-                               "the fit holds for equal roughnesses up to 1");
+                               "the fits hold for --masking smith, equal roughnesses up to 1");
     if (v->method == METHOD_TABLE && (alpha[0] > 2 || alpha[1] > 2))
         return lobe_app_reject("--method", "take --method quadrature",
                                "the table ends at a roughness of 2");
-    if (v->method == METHOD_WALK && v->compensation != COMPENSATION_NONE)
-        return lobe_app_reject("--multiscatter", "leave it out",
-                               "--method walk has all scatterings already");
+    if (v->compensation == WALK && (s.masking != LOBE_MASKING_SMITH || s.g2 != LOBE_G2_CORRELATED))
+        return lobe_app_reject("--multiscatter", "take another, or leave it out",
+                               "walks are known for --masking smith --g2 correlated only");
     if (v->walks < 1 || v->walks > 1000000000)
         return lobe_app_reject("--walks", "give 1 to 1000000000", "out of range");
     return LOBE_APP_DONE;
@@ -304,9 +291,10 @@ lobe_app_status lobe_app_albedo(int argc, char **argv) {
         "--alpha A[,AY] [OPTIONS]",
         "Integrates: e, the albedo of one scattering with F = 1 toward a direction; e_avg, its "
         "average;\n"
-        "f_avg, the average of F; f_ms, the colour of the scatterings after the first (Hill 2018); "
-        "furnace,\n"
-        "what the surface reflects of even light, with F and with the chosen compensation.",
+        "f_avg, the average of F; f_ms, the colour of the scatterings after the first (Hill 2018, "
+        "or "
+        "as\nwalked); furnace, what the surface reflects of even light, with F and with the chosen "
+        "compensation.",
         NULL,
         groups,
         "lobe albedo --alpha 0.5 --mu 0.2,0.9 --fresnel 0.9 --multiscatter kulla-conty"};

@@ -5,14 +5,16 @@
  * sign of the slope turned), for i_z <= 0 the half plane s.i_xy > |i_z|: on every ray from the origin
  * an interval of rho. D cos dm = du dpsi/2 pi with u the cumulative distribution along the ray, and
  *   E = integral of F 4 (i.m) f cos/(D m_z) du dpsi/2 pi,
- * smooth inside, with steep turns toward the ends at grazing angles: the double exponential rule. D is
- * that of GGX also for another distribution, whose f cos then brings its own. */
+ * smooth inside, with steep turns toward the ends at grazing angles: the double exponential rule; for V-cavities
+ * on the pieces between the creases of G2. */
 #include "../kernel/bind/c_f64.h"
 
 #include "lobe/albedo.h"
 
+#include "../kernel/beckmann_vcavity_family.h"
 #include "../kernel/fresnel.h"
-#include "../kernel/ggx.h"
+#include "../kernel/ggx_vcavity_family.h"
+#include "../kernel/log.h"
 
 #include <stddef.h>
 
@@ -25,33 +27,71 @@ static const node nodes[] = {
 };
 enum { NODE_COUNT = sizeof nodes / sizeof nodes[0] };
 
+typedef enum family { GGX_SMITH, BECKMANN_SMITH, GGX_VCAVITY, BECKMANN_VCAVITY } family;
+
 typedef struct integrand {
-    ggx_base base;
-    bool is_ggx;               /* Smith-GGX; else the value is that of `model`, */
-    lobe_reflection_f64 model; /* over the same variables */
+    family family;
+    ggx_base base;          /* the variables, whatever the family */
+    beckmann_base beckmann; /* these where the family has them */
+    vcavity_base cavity;
     lobe_reflectance f;
     int first, stride; /* of the nodes in use; as many are left out at the other end */
 } integrand;
 
-/* A stretch of the cumulative distribution u: from its lower end, and 1 - u at its upper end. */
+/* A ray s = rho c from the origin: `a` |c|^2, `b` c.i_xy. */
+typedef struct ray {
+    double x, y, a, b;
+} ray;
+
+/* A stretch of a ray, in rho^2. */
 typedef struct stretch {
-    double start, rest, length;
+    double first2, last2;
 } stretch;
 
-/* GGX: u = rho^2/(1 + rho^2). `a`, `b`: |c|^2 and c.i_xy of the ray s = rho c. */
-static stretch stretch_of(double a, double b, double i_z) {
-    stretch r = {0.0, 0.0, 0.0};
+static const double FAR2 = 1e200;
+
+/* What of the ray reflects i above the surface. */
+static stretch stretch_of(ray c, double i_z) {
+    stretch r = {0.0, 0.0};
     if (i_z > 0.0) {
-        const double slope = b / i_z, root = k_sqrt(slope * slope + a);
-        const double last = slope < 0.0 ? 1.0 / (root - slope) : (root + slope) / a;
-        r.rest = 1.0 / (1.0 + last * last);
-        r.length = last < 1e100 ? last * last * r.rest : 1.0;
-    } else if (b > 0.0) {
-        const double first = -i_z / b;
-        r.length = 1.0 / (1.0 + first * first);
-        r.start = 1.0 - r.length;
+        const double slope = c.b / i_z, root = k_sqrt(slope * slope + c.a);
+        const double last = slope < 0.0 ? 1.0 / (root - slope) : (root + slope) / c.a;
+        r.last2 = k_min(last * last, FAR2);
+    } else if (c.b > 0.0) {
+        const double first = -i_z / c.b;
+        r.first2 = k_min(first * first, FAR2);
+        r.last2 = FAR2;
     }
     return r;
+}
+
+/* The variable of a stretch, from 0 to 1: u less u of its start over `length`. GGX: u = rho^2/(1 + rho^2).
+ * Beckmann: u = 1 - exp(first^2 - rho^2), D without its value at the start, which `scale` gives back. */
+typedef struct variable {
+    bool is_ggx;
+    double first2, start, rest, length, scale; /* u at the start, 1 - u at the end */
+} variable;
+
+static variable variable_of(const integrand *q, stretch r) {
+    variable v = {q->family == GGX_SMITH || q->family == GGX_VCAVITY, r.first2, 0.0, 0.0, 0.0, 1.0};
+    if (v.is_ggx) {
+        const double before = 1.0 / (1.0 + r.first2);
+        v.start = r.first2 * before;
+        v.rest = 1.0 / (1.0 + r.last2);
+        v.length = r.last2 < FAR2 ? (r.last2 - r.first2) * before * v.rest : before;
+    } else {
+        v.rest = k_exp(-k_min(r.last2 - r.first2, 700.0));
+        v.length = 1.0 - v.rest;
+        v.scale = k_exp(-k_min(r.first2 - q->beckmann.shift, 700.0));
+    }
+    return v;
+}
+
+/* rho^2 at a place of the variable, `rest` the place from its end. */
+static double rho2_at(variable v, double place, double rest) {
+    const double left = v.rest + v.length * rest;
+    return v.is_ggx ? (v.start + v.length * place) / left
+                    : v.first2 + k_max(-k_log(k_max(left, K_TINY)), 0.0);
 }
 
 /* lobe_reflectance_at, inlined: it is half of the work. */
@@ -66,6 +106,18 @@ static double reflectance(const lobe_reflectance *f, double cos_im) {
     }
 }
 
+/* f cos/D of a pair that leaves: f cos is in proportion to D, which the variables carry. */
+static double value_of(const integrand *q, facet_pair pair) {
+    switch (q->family) {
+    case GGX_SMITH:
+        return ggx_f_cos(q->base, pair);
+    case BECKMANN_SMITH:
+        return beckmann_shadowing(q->beckmann, pair.wo) / (2.0 * q->beckmann.visible);
+    default:
+        return vcavity_f_cos(q->cavity, pair);
+    }
+}
+
 /* F 4 (i.m) f cos/(D m_z) of the normal along (x, y, 1) */
 static double value_at(const integrand *q, double x, double y) {
     const v3 i = q->base.wi;
@@ -75,29 +127,89 @@ static double value_at(const integrand *q, double x, double y) {
     pair.m = v3_of(x * mz, y * mz, mz);
     pair.wo = v3_of(twice * x - i.x, twice * y - i.y, twice - i.z);
     pair.cos_im = along * mz;
-    pair.d = 1.0; /* f cos is in proportion to D, which the variables carry */
+    pair.d = 1.0;
     pair.leaves = pair.wo.z > 0.0 && along > 0.0;
-    if (!q->is_ggx && pair.leaves) {
-        const lobe_vec3_f64 m = {pair.m.x, pair.m.y, pair.m.z};
-        return 4.0 * along * reflectance(&q->f, pair.cos_im) *
-               lobe_reflection_eval_m_f64(&q->model, m).f_cos / ggx_d(q->base, pair.m);
+    return pair.leaves ? 4.0 * along * value_of(q, pair) * reflectance(&q->f, pair.cos_im) : 0.0;
+}
+
+static double along_stretch(const integrand *q, ray c, stretch r) {
+    const variable v = variable_of(q, r);
+    double sum = 0.0;
+    for (int k = q->first; k < NODE_COUNT - q->first; k += q->stride) {
+        const double rho = k_sqrt(rho2_at(v, nodes[k].x, nodes[k].rest));
+        sum += nodes[k].weight * value_at(q, rho * c.x, rho * c.y);
     }
-    return pair.leaves ? 4.0 * along * ggx_f_cos(q->base, pair) * reflectance(&q->f, pair.cos_im)
-                       : 0.0;
+    return sum * v.length * v.scale;
+}
+
+/* Where G2 of a V-cavity turns: changes of sign of
+ *   0  2 m_z |i_z| = i.m    1  2 m_z o_z = i.m    2  |i_z| = o_z */
+static double crease_at(ray c, double i_z, double rho, int kind) {
+    const double along = i_z + c.b * rho, inv_mz2 = 1.0 + c.a * rho * rho;
+    if (kind == 0) return along * inv_mz2 - 2.0 * k_abs(i_z);
+    if (kind == 1) return (4.0 - inv_mz2) * along - 2.0 * i_z * inv_mz2;
+    return 2.0 * along - inv_mz2 * (i_z + k_abs(i_z));
+}
+
+static double crease_between(ray c, double i_z, double low, double high, int kind) {
+    enum { HALVINGS = 52 };
+    const bool rises = crease_at(c, i_z, low, kind) < 0.0;
+    for (int k = 0; k < HALVINGS; ++k) {
+        const double middle = 0.5 * (low + high);
+        if ((crease_at(c, i_z, middle, kind) < 0.0) == rises)
+            low = middle;
+        else
+            high = middle;
+    }
+    return 0.5 * (low + high);
+}
+
+enum { SCAN = 12, CREASES_MAX = 3 * SCAN };
+
+/* The pieces of a stretch between them. */
+static int find_creases(const integrand *q, ray c, stretch r, stretch pieces[CREASES_MAX + 1]) {
+    const variable v = variable_of(q, r);
+    const double i_z = q->base.wi.z;
+    double rho[CREASES_MAX];
+    int count = 0;
+    for (int kind = 0; kind < 3; ++kind) {
+        double low = k_sqrt(r.first2);
+        for (int k = 1; k <= SCAN; ++k) {
+            const double high =
+                k_sqrt(k_min(rho2_at(v, (double)k / SCAN, 1.0 - (double)k / SCAN), r.last2));
+            if ((crease_at(c, i_z, low, kind) < 0.0) != (crease_at(c, i_z, high, kind) < 0.0)) {
+                const double found = crease_between(c, i_z, low, high, kind);
+                int place = count++;
+                for (; place > 0 && rho[place - 1] > found; --place) rho[place] = rho[place - 1];
+                rho[place] = found;
+            }
+            low = high;
+        }
+    }
+    double first2 = r.first2;
+    for (int k = 0; k < count; ++k) {
+        const double next2 = k_min(k_max(rho[k] * rho[k], first2), r.last2);
+        pieces[k] = (stretch){first2, next2};
+        first2 = next2;
+    }
+    pieces[count] = (stretch){first2, r.last2};
+    return count + 1;
 }
 
 /* Along the ray of direction (cosine, sine) in the plane where D is round. */
 static double along_ray(const integrand *q, double cosine, double sine) {
-    const double x = q->base.ax * cosine, y = q->base.ay * sine;
-    const stretch r = stretch_of(x * x + y * y, x * q->base.wi.x + y * q->base.wi.y, q->base.wi.z);
-    if (!(r.length > 0.0)) return 0.0;
+    ray c = {q->base.ax * cosine, q->base.ay * sine, 0.0, 0.0};
+    c.a = c.x * c.x + c.y * c.y;
+    c.b = c.x * q->base.wi.x + c.y * q->base.wi.y;
+    const stretch r = stretch_of(c, q->base.wi.z);
+    if (!(r.last2 > r.first2)) return 0.0;
+    if (q->family == GGX_SMITH || q->family == BECKMANN_SMITH) return along_stretch(q, c, r);
+    stretch pieces[CREASES_MAX + 1];
+    const int count = find_creases(q, c, r, pieces);
     double sum = 0.0;
-    for (int k = q->first; k < NODE_COUNT - q->first; k += q->stride) {
-        const double u = r.start + r.length * nodes[k].x, rest = r.rest + r.length * nodes[k].rest;
-        const double rho = k_sqrt(u / rest);
-        sum += nodes[k].weight * value_at(q, rho * x, rho * y);
-    }
-    return sum * r.length;
+    for (int k = 0; k < count; ++k)
+        if (pieces[k].last2 > pieces[k].first2) sum += along_stretch(q, c, pieces[k]);
+    return sum;
 }
 
 /* Over the angle between two unit vectors less than half a turn apart, by the tangent of half of it. */
@@ -118,14 +230,40 @@ static facet_azimuth turned(facet_azimuth p) {
     return r;
 }
 
+static bool is_symmetric(const integrand *q) {
+    return q->base.ax == q->base.ay || q->base.wi.y == 0.0;
+}
+
+static facet_azimuth azimuth_of(const integrand *q) {
+    return facet_azimuth_of(v3_of(q->base.ax * q->base.wi.x, q->base.ay * q->base.wi.y, 0.0));
+}
+
+/* Beckmann from deep below: exp(-c^2 tan^2) of the angle from i leaves only rays within 6/c of it. Over the
+ * tangent t of half the angle. */
+static double around_deep(const integrand *q) {
+    const facet_azimuth p = azimuth_of(q);
+    const double last = k_min(3.0 / k_sqrt(q->beckmann.shift), 1.0);
+    const int sides = is_symmetric(q) ? 1 : 2;
+    double sum = 0.0;
+    for (int k = 0; k < NODE_COUNT; k += q->stride) {
+        const double t = last * nodes[k].x, inverse = 1.0 / (1.0 + t * t);
+        const double c = (1.0 - t * t) * inverse, s = 2.0 * t * inverse;
+        const double step = nodes[k].weight * last * 2.0 * inverse;
+        for (int side = 0; side < sides; ++side) {
+            const double turn = side == 0 ? s : -s;
+            sum += step * along_ray(q, c * p.x - turn * p.y, c * p.y + turn * p.x);
+        }
+    }
+    return sum * q->stride * q->stride * K_INV_PI / sides;
+}
+
 /* All around. The rays turn steeply where they are across from i in the plane where D is round, and
  * toward the axes of the roughness: no piece has either inside, but for a coarse sum. A surface that is symmetric about the
  * plane of incidence needs one half. */
 static double around(const integrand *q) {
     const bool is_round = q->base.ax == q->base.ay || q->stride == 4;
-    const bool symmetric = q->base.ax == q->base.ay || q->base.wi.y == 0.0;
-    facet_azimuth to_i =
-        facet_azimuth_of(v3_of(q->base.ax * q->base.wi.x, q->base.ay * q->base.wi.y, 0.0));
+    const bool symmetric = is_symmetric(q);
+    facet_azimuth to_i = azimuth_of(q);
     facet_azimuth axis = {1.0, 0.0, 1.0};
     while (!is_round && !(to_i.x > 0.0 && to_i.y >= 0.0)) to_i = turned(to_i);
     double sum = 0.0;
@@ -143,21 +281,45 @@ static double not_a_number(void) {
     return __builtin_nan("");
 }
 
-static integrand integrand_of(lobe_microsurface s, lobe_reflectance f, lobe_vec3_f64 wi,
+/* The family's part, and whether it can see anything from wi. */
+static bool add_family(integrand *q, lobe_microsurface s, v3 wi, facet_options options) {
+    const bool is_beckmann = s.ndf == LOBE_NDF_BECKMANN,
+               is_vcavity = s.masking == LOBE_MASKING_VCAVITY;
+    q->family = is_vcavity    ? is_beckmann ? BECKMANN_VCAVITY : GGX_VCAVITY
+                : is_beckmann ? BECKMANN_SMITH
+                              : GGX_SMITH;
+    switch (q->family) {
+    case GGX_SMITH:
+        return k_is(q->base.valid);
+    case BECKMANN_SMITH:
+        q->beckmann = beckmann_base_of(wi, s.alpha_x, s.alpha_y, options);
+        return k_is(q->beckmann.valid);
+    case GGX_VCAVITY: {
+        const ggx_vcavity_base g = ggx_vcavity_base_of(wi, s.alpha_x, s.alpha_y, options);
+        q->cavity = g.cavity;
+        return k_is(g.valid);
+    }
+    case BECKMANN_VCAVITY: {
+        const beckmann_vcavity_base g = beckmann_vcavity_base_of(wi, s.alpha_x, s.alpha_y, options);
+        q->beckmann = g.beckmann;
+        q->cavity = g.cavity;
+        return k_is(g.valid);
+    }
+    }
+    return false;
+}
+
+static integrand integrand_of(lobe_microsurface s, lobe_reflectance f, lobe_vec3_f64 w,
                               lobe_effort effort) {
+    const v3 wi = v3_of(w.x, w.y, w.z);
+    const facet_options options = facet_options_of(s.g2 == LOBE_G2_SEPARABLE, false);
+    const bool known = (unsigned)s.ndf < LOBE_NDF_COUNT && (unsigned)s.masking < LOBE_MASKING_COUNT;
     integrand q;
-    q.is_ggx = s.ndf == LOBE_NDF_GGX && s.masking == LOBE_MASKING_SMITH;
-    q.base = ggx_base_of(v3_of(wi.x, wi.y, wi.z), s.alpha_x, s.alpha_y,
-                         facet_options_of(s.g2 == LOBE_G2_SEPARABLE, false));
+    q.base = ggx_base_of(wi, s.alpha_x, s.alpha_y, options);
     q.f = f;
     q.stride = effort == LOBE_EFFORT_COARSE ? 4 : effort == LOBE_EFFORT_MEDIUM ? 2 : 1;
     q.first = effort == LOBE_EFFORT_COARSE ? 12 : 0; /* the outer ones weigh 1e-5 */
-    if (q.is_ggx) return q;
-    lobe_reflection_options options = lobe_reflection_default_options();
-    options.model = (lobe_model){s.ndf, s.masking, lobe_best_method(s.ndf, s.masking)};
-    options.g2 = s.g2;
-    q.model = lobe_reflection_prepare_f64(options, wi, s.alpha_x, s.alpha_y);
-    q.base.valid = q.base.valid && q.model.is_valid;
+    q.base.valid = k_flag(known && add_family(&q, s, wi, options) && k_is(q.base.valid));
     return q;
 }
 
@@ -165,24 +327,40 @@ double lobe_albedo(lobe_microsurface s, lobe_reflectance f, lobe_vec3_f64 wi, lo
     const integrand q = integrand_of(s, f, wi, effort);
     if (!q.base.valid) return not_a_number();
     if (q.base.mirror) return wi.z > 0.0 ? lobe_reflectance_at(f, wi.z) : 0.0;
-    return around(&q);
+    const bool is_beckmann = s.ndf == LOBE_NDF_BECKMANN;
+    return is_beckmann && q.beckmann.shift > 1.0 ? around_deep(&q) : around(&q);
 }
 
-/* 2 * integral of E mu dmu along one azimuth */
+static double sinh_of(double x) {
+    const double e = k_exp(x);
+    return 0.5 * (e - 1.0 / e);
+}
+
+/* 2 * integral of E mu dmu along one azimuth. E turns where mu is about the roughness a toward it, however
+ * small: over x, mu = a sinh(L x), 1 - mu = 2 a cosh(L - L (1 - x)/2) sinh(L (1 - x)/2). */
 static double average_along(lobe_microsurface s, lobe_reflectance f, double x, double y,
                             lobe_effort effort) {
-    const int stride = effort == LOBE_EFFORT_COARSE ? 4 : 2;
+    const int stride = effort == LOBE_EFFORT_COARSE ? 4 : effort == LOBE_EFFORT_MEDIUM ? 2 : 1;
+    const double ax = s.alpha_x * x, ay = s.alpha_y * y;
+    const double a = k_min(k_max(k_sqrt(ax * ax + ay * ay), LOBE_ALPHA_MIN), 1.0);
+    const double length = k_log((1.0 + k_sqrt(1.0 + a * a)) / a);
     double sum = 0.0;
     for (int k = 0; k < NODE_COUNT; k += stride) {
-        const double mu = nodes[k].x, plane = k_sqrt(nodes[k].rest * (1.0 + mu));
+        const double half = 0.5 * length * nodes[k].rest, e = k_exp(length - half);
+        const double rest = a * (e + 1.0 / e) * sinh_of(half);
+        const double mu = a * sinh_of(length * nodes[k].x), plane = k_sqrt(rest * (1.0 + mu));
         const lobe_vec3_f64 wi = {plane * x, plane * y, mu};
-        sum += nodes[k].weight * 2.0 * mu * lobe_albedo(s, f, wi, effort);
+        const double step = nodes[k].weight * length * k_sqrt(a * a + mu * mu);
+        sum += step * 2.0 * mu * lobe_albedo(s, f, wi, effort);
     }
     return sum * stride;
 }
 
 /* Over a quarter of the azimuths where they differ, by the tangent of half the angle. */
 double lobe_albedo_average(lobe_microsurface s, lobe_reflectance f, lobe_effort effort) {
+    if (!(s.alpha_x >= 0.0 && s.alpha_y >= 0.0)) return not_a_number();
+    if (s.alpha_x < LOBE_ALPHA_MIN && s.alpha_y < LOBE_ALPHA_MIN)
+        return lobe_reflectance_average(f);
     if (s.alpha_x == s.alpha_y) return average_along(s, f, 1.0, 0.0, effort);
     const int stride = effort == LOBE_EFFORT_COARSE ? 4 : 2;
     double sum = 0.0;

@@ -5,16 +5,16 @@
 
 #include "albedo_table.h"
 
-/* By lobe_g2. */
-static const albedo_tables tables[] = {
+static const albedo_tables tables[LOBE_NDF_COUNT * LOBE_MASKING_COUNT * 2] = {
 #include "albedo_table.inc"
 };
 
 static const float ROOT_MIN = 0.01f; /* square root of the smallest roughness */
 
 static const albedo_tables *tables_of(lobe_ndf ndf, lobe_masking masking, lobe_g2 g2) {
-    const bool known = ndf == LOBE_NDF_GGX && masking == LOBE_MASKING_SMITH;
-    return known && (unsigned)g2 <= LOBE_G2_SEPARABLE ? &tables[g2] : NULL;
+    const bool known = (unsigned)ndf < LOBE_NDF_COUNT && (unsigned)masking < LOBE_MASKING_COUNT &&
+                       (unsigned)g2 <= LOBE_G2_SEPARABLE;
+    return known ? &tables[((int)ndf * LOBE_MASKING_COUNT + (int)masking) * 2 + (int)g2] : NULL;
 }
 
 static float mix(float a, float b, float share) {
@@ -65,14 +65,14 @@ static float turned_average(const albedo_tables *t, const lobe_albedo_f32 *a) {
 }
 
 /* Of four azimuths at each of four ratios, in one row and column. */
-static float face(const float ratios[TURNED_RATIOS][TURNED_COLUMNS][TURNED_AZIMUTHS], int column,
+static float face(const int16_t ratios[TURNED_RATIOS][TURNED_COLUMNS][TURNED_AZIMUTHS], int column,
                   albedo_stencil ratio, albedo_stencil azimuth) {
     float along[4];
     for (int k = 0; k < 4; ++k) {
-        const float *v = &ratios[(int)ratio.first + k][column][(int)azimuth.first];
-        along[k] = albedo_mix(azimuth, v[0], v[1], v[2], v[3]);
+        const int16_t *v = &ratios[(int)ratio.first + k][column][(int)azimuth.first];
+        along[k] = albedo_mix(azimuth, (float)v[0], (float)v[1], (float)v[2], (float)v[3]);
     }
-    return albedo_mix(ratio, along[0], along[1], along[2], along[3]);
+    return TURNED_STEP * albedo_mix(ratio, along[0], along[1], along[2], along[3]);
 }
 
 static float turned_at(const albedo_tables *t, const lobe_albedo_f32 *a, float mu, float toward) {

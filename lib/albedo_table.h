@@ -11,7 +11,7 @@
  *   ratio    n from 1/100 to r
  *   column   that of the roughness toward the direction
  *   azimuth  square root of the roughness toward the direction, from n to w
- * read linearly in row and column, cubically in ratio and azimuth. `turned_average`: the fourth root of
+ * read linearly in row and column, cubically in ratio and azimuth; kept as multiples of TURNED_STEP. `turned_average`: the fourth root of
  * 1 - E_avg less that of a round surface of roughness r.
  *
  * Before including: a binding of the kernel language. */
@@ -22,17 +22,20 @@
 
 enum {
     ROUND_ROWS = 36,
-    ROUND_COLUMNS = 32,
+    ROUND_COLUMNS = 76,
     TURNED_ROWS = 16,
-    TURNED_RATIOS = 8,
+    TURNED_RATIOS = 10,
     TURNED_COLUMNS = 22,
-    TURNED_AZIMUTHS = 9
+    TURNED_AZIMUTHS = 10
 };
 
+#define TURNED_STEP R(0x1p-15)
+
+/* One for each lobe_ndf, lobe_masking and lobe_g2, in this order. */
 typedef struct albedo_tables {
     float round[ROUND_ROWS][ROUND_COLUMNS];
     float round_average[ROUND_ROWS];
-    float turned[TURNED_ROWS][TURNED_RATIOS][TURNED_COLUMNS][TURNED_AZIMUTHS];
+    int16_t turned[TURNED_ROWS][TURNED_RATIOS][TURNED_COLUMNS][TURNED_AZIMUTHS];
     float turned_average[TURNED_ROWS][TURNED_RATIOS];
 } albedo_tables;
 

@@ -3,14 +3,19 @@
 #include "lobe/albedo.h"
 
 #include "../kernel/albedo_fit.h"
+#include "../kernel/albedo_fit_beckmann.h"
 #include "../kernel/multiscatter.h"
 
-real LOBE_NAME(albedo_fit_missing)(lobe_g2 g2, real alpha, real mu) {
-    return albedo_fit_missing(alpha, mu, g2 == LOBE_G2_SEPARABLE);
+real LOBE_NAME(albedo_fit_missing)(lobe_ndf ndf, lobe_g2 g2, real alpha, real mu) {
+    const bool separable = g2 == LOBE_G2_SEPARABLE;
+    return ndf == LOBE_NDF_BECKMANN ? albedo_fit_beckmann_missing(alpha, mu, separable)
+                                    : albedo_fit_missing(alpha, mu, separable);
 }
 
-real LOBE_NAME(albedo_fit_missing_average)(lobe_g2 g2, real alpha) {
-    return albedo_fit_missing_average(alpha, g2 == LOBE_G2_SEPARABLE);
+real LOBE_NAME(albedo_fit_missing_average)(lobe_ndf ndf, lobe_g2 g2, real alpha) {
+    const bool separable = g2 == LOBE_G2_SEPARABLE;
+    return ndf == LOBE_NDF_BECKMANN ? albedo_fit_beckmann_missing_average(alpha, separable)
+                                    : albedo_fit_missing_average(alpha, separable);
 }
 
 real LOBE_NAME(multiscatter_fms)(real f_avg, real missing_avg) {

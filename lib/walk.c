@@ -1,56 +1,171 @@
-/* lib/walk.c: the random walk on a Smith microsurface.
+/* lib/walk.c: random walks on a Smith microsurface.
  *
  * Heitz et al. 2016 draw heights; a height matters only through the share c of the surface below it,
  * and c only through the depth l = -ln c: along a direction w the ray meets a facet at
- *   l' = l - e/Lambda(w),   e exponential,
- * and has left where l' < 0. Lambda(w) = (t - w_z)/(2 w_z) is negative for a ray that descends, and
- * its depth grows. The facet is drawn from the normals visible from where the ray comes. */
+ *   l' = l - e w_z/area,   e exponential, area = V(-w)/2 what it sees of the facets,
+ * and has left where l' < 0: area/w_z is Lambda(w) for a ray that ascends, -(1 + Lambda(-w)) for one that
+ * descends. The facet is drawn from the normals visible from where the ray comes.
+ * A ray that a facet refracts goes on below the surface, which is the same surface turned about a point:
+ * there w becomes -w and c becomes 1 - c. */
 #include "../kernel/bind/c_f64.h"
 
 #include "lobe/random.h"
 #include "lobe/walk.h"
 
-#include "../kernel/ggx_caps.h"
-#include "../kernel/log.h"
+#include "../kernel/refract.h"
+#include "walk_sight.h"
 
 #include <stddef.h>
 
-/* l' of a ray from depth l. Level rays do not move: their next facet is where they are. */
-static double next_depth(v3 w, double ax, double ay, double depth, double u) {
-    const double x = ax * w.x, y = ay * w.y, plane = x * x + y * y;
-    const double t = k_sqrt(plane + w.z * w.z);
-    /* 1/Lambda: t - w_z without cancellation for a steep ascent */
-    const double minus = w.z > 0.0 ? plane / (t + w.z) : t - w.z;
-    const double exponential = -k_log(1.0 - u);
-    return depth - 2.0 * w.z * exponential / k_max(minus, K_TINY);
+typedef struct walker {
+    lobe_microsurface s;
+    walk_sight sight;
+    v3 w;         /* of the ray, seen from its side of the surface */
+    double depth; /* l */
+    lobe_random4 random;
+    uint64_t seed, index;
+    uint64_t bounces; /* so far */
+} walker;
+
+static double unit(uint32_t word) {
+    return (word + 0.5) * 0x1p-32;
 }
 
-static void clear(double *weights, int count) {
-    for (int k = 0; k < count; ++k) weights[k] = 0.0;
+/* false: only Smith has a random walk, or an input is unusable. wi: above the surface. */
+static bool begin(walker *k, lobe_microsurface s, v3 wi, uint64_t seed, uint64_t index) {
+    const bool known = (unsigned)s.ndf < LOBE_NDF_COUNT && s.masking == LOBE_MASKING_SMITH;
+    const bool usable = facet_inputs_usable(wi, s.alpha_x, s.alpha_y, v3_of(0.0, 0.0, 1.0));
+    k->s = s;
+    k->w = v3_scale(wi, -1.0);
+    k->depth = 0.0;
+    k->seed = seed;
+    k->index = index;
+    k->bounces = 0;
+    return known && usable && wi.z > 0.0;
 }
+
+/* To the next facet; false: the ray leaves. */
+static bool fly(walker *k) {
+    k->random = lobe_random(k->seed, k->index, k->bounces);
+    k->sight = walk_sight_of(k->s, v3_scale(k->w, -1.0));
+    if (k->sight.is_blind) return false;
+    const double exponential = -k_log(1.0 - unit(k->random.word[0]));
+    k->depth -= k->w.z * exponential / k_max(k->sight.area, K_TINY);
+    return !(k->depth < 0.0);
+}
+
+static facet_draw meet(const walker *k) {
+    return walk_sight_draw(&k->sight, unit(k->random.word[1]), unit(k->random.word[2]));
+}
+
+static void go_on(walker *k, v3 w) {
+    k->w = v3_normalize(w);
+    k->bounces++;
+}
+
+static void fill(double *values, int count, double value) {
+    for (int k = 0; k < count; ++k) values[k] = value;
+}
+
+static v3 inward(lobe_vec3_f64 w) {
+    return v3_of(w.x, w.y, w.z);
+}
+
+static lobe_vec3_f64 outward(v3 w) {
+    return (lobe_vec3_f64){w.x, w.y, w.z};
+}
+
+static const lobe_walk cut = {{0.0, 0.0, 1.0}, 0};
 
 lobe_walk lobe_walk_sample(lobe_microsurface s, const lobe_reflectance *f, int count,
                            lobe_vec3_f64 wi, uint64_t seed, uint64_t index, int most,
                            double *weights) {
-    const lobe_walk cut = {{0.0, 0.0, 1.0}, 0};
-    const facet_options options = facet_options_of(false, false);
-    const bool known = s.ndf == LOBE_NDF_GGX && s.masking == LOBE_MASKING_SMITH;
-    ggx_base base = ggx_base_of(v3_of(wi.x, wi.y, wi.z), s.alpha_x, s.alpha_y, options);
-    clear(weights, count);
-    if (!known || !base.valid || !(wi.z > 0.0)) return cut;
-    for (int k = 0; k < count; ++k) weights[k] = 1.0;
-    double depth = 0.0;
-    v3 w = v3_scale(base.wi, -1.0); /* of the ray */
-    for (int bounce = 0; bounce <= most; ++bounce) {
-        const lobe_random4 r = lobe_random(seed, index, (uint64_t)bounce);
-        depth = next_depth(w, base.ax, base.ay, depth, k_unit((r.word[0] + 0.5) * 0x1p-32));
-        if (depth < 0.0) return (lobe_walk){{w.x, w.y, w.z}, bounce};
-        base = ggx_base_of(v3_scale(w, -1.0), s.alpha_x, s.alpha_y, options);
-        const facet_draw draw = ggx_caps_draw(ggx_caps_prepare(base), (r.word[1] + 0.5) * 0x1p-32,
-                                              (r.word[2] + 0.5) * 0x1p-32, 0.0);
-        w = v3_normalize(draw.wo);
-        for (int k = 0; k < count; ++k) weights[k] *= lobe_reflectance_at(f[k], draw.cos_im);
+    walker k;
+    fill(weights, count, 0.0);
+    if (!begin(&k, s, inward(wi), seed, index)) return cut;
+    fill(weights, count, 1.0);
+    while (fly(&k)) {
+        if (k.bounces >= (uint64_t)most) {
+            fill(weights, count, 0.0);
+            return cut;
+        }
+        const facet_draw draw = meet(&k);
+        for (int j = 0; j < count; ++j) weights[j] *= lobe_reflectance_at(f[j], draw.cos_im);
+        go_on(&k, draw.wo);
     }
-    clear(weights, count);
-    return cut;
+    return (lobe_walk){outward(k.w), (int)k.bounces};
+}
+
+/* What every law reflects to wo after one scattering: the density times 1/(1 + Lambda(i) + Lambda(o)) over
+ * 1/(1 + Lambda(i)). */
+static void add_first(const walker *k, const lobe_reflectance *f, int count, v3 wo, double lambda,
+                      double *values) {
+    double cos_im;
+    const walk_sight sight = walk_sight_of(k->s, v3_scale(k->w, -1.0));
+    const double density = walk_sight_toward(&sight, wo, &cos_im);
+    const double seen = sight.area / (sight.area - k->w.z * lambda);
+    for (int j = 0; j < count; ++j) values[j] += density * seen * lobe_reflectance_at(f[j], cos_im);
+}
+
+/* What a facet that was met reflects to wo, and how likely that leaves from there. */
+static void add_next(const walker *k, const lobe_reflectance *f, int count, v3 wo, double lambda,
+                     const double *weights, double *values) {
+    double cos_im;
+    const double density =
+        walk_sight_toward(&k->sight, wo, &cos_im) * k_exp(-k_min(k->depth * lambda, 700.0));
+    if (!(density > 0.0)) return;
+    for (int j = 0; j < count; ++j)
+        values[j] += weights[j] * density * lobe_reflectance_at(f[j], cos_im);
+}
+
+int lobe_walk_eval(lobe_microsurface s, const lobe_reflectance *f, int count, lobe_vec3_f64 wi,
+                   lobe_vec3_f64 wo, uint64_t seed, uint64_t index, int most, double *values) {
+    enum { LAWS_AT_ONCE = 64 };
+    double weights[LAWS_AT_ONCE];
+    walker k;
+    fill(values, count, 0.0);
+    const v3 o = inward(wo);
+    const bool usable = facet_inputs_usable(o, 1.0, 1.0, v3_of(0.0, 0.0, 1.0)) && o.z > 0.0;
+    if (count > LAWS_AT_ONCE || !usable || !begin(&k, s, inward(wi), seed, index)) return 0;
+    const double lambda = walk_lambda(s, o);
+    add_first(&k, f, count, o, lambda, values);
+    fill(weights, count, 1.0);
+    while (k.bounces < (uint64_t)most && fly(&k)) {
+        if (k.bounces > 0) add_next(&k, f, count, o, lambda, weights, values);
+        const facet_draw draw = meet(&k);
+        for (int j = 0; j < count; ++j) weights[j] *= lobe_reflectance_at(f[j], draw.cos_im);
+        go_on(&k, draw.wo);
+    }
+    return 1;
+}
+
+/* l below the surface of l above it: -ln(1 - exp(-l)), by its series where the difference cancels. */
+static double depth_below(double depth) {
+    const double l = k_max(depth, K_TINY);
+    const double share =
+        l < 1e-3 ? l * (1.0 - l * (0.5 - l * (1.0 / 6.0 - l / 24.0))) : 1.0 - k_exp(-l);
+    return -k_log(share);
+}
+
+lobe_walk lobe_walk_dielectric_sample(lobe_microsurface s, double ior, lobe_vec3_f64 wi,
+                                      uint64_t seed, uint64_t index, int most) {
+    walker k;
+    bool inside = wi.z < 0.0;
+    const v3 seen = v3_scale(inward(wi), inside ? -1.0 : 1.0);
+    if (!(ior >= 1e-3 && ior <= 1e3) || !begin(&k, s, seen, seed, index)) return cut;
+    while (fly(&k)) {
+        if (k.bounces >= (uint64_t)most) return cut;
+        const facet_draw draw = meet(&k);
+        const refract_index n = refract_index_of(ior, inside);
+        const refract_light light = refract_at(n, draw.cos_im);
+        if (unit(k.random.word[3]) < light.reflectance) {
+            go_on(&k, draw.wo);
+            continue;
+        }
+        const v3 through = refract_out(n, light, v3_scale(k.w, -1.0), draw.m);
+        go_on(&k, v3_scale(through, -1.0));
+        k.depth = depth_below(k.depth);
+        inside = !inside;
+    }
+    return (lobe_walk){outward(v3_scale(k.w, inside ? -1.0 : 1.0)), (int)k.bounces};
 }

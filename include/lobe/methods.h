@@ -4,10 +4,10 @@
 #define LOBE_METHODS_H
 
 /* Distributions of normals: X(IDENTIFIER, "name") */
-#define LOBE_NDFS(X) X(GGX, "ggx")
+#define LOBE_NDFS(X) X(GGX, "ggx") X(BECKMANN, "beckmann")
 
 /* Masking of the microsurface: X(IDENTIFIER, "name") */
-#define LOBE_MASKINGS(X) X(SMITH, "smith")
+#define LOBE_MASKINGS(X) X(SMITH, "smith") X(VCAVITY, "vcavity")
 
 /* Sampling methods: X(IDENTIFIER, "name on the command line", "what it is, and its source") */
 #define LOBE_METHODS(X)                                                                            \

@@ -1,4 +1,4 @@
-/* lobe/walk.h: all scatterings on a Smith microsurface, by a random walk (Heitz et al. 2016).
+/* lobe/walk.h: all scatterings on a Smith microsurface, GGX or Beckmann, by a random walk (Heitz et al. 2016).
  *
  *     lobe_microsurface s = {LOBE_NDF_GGX, LOBE_MASKING_SMITH, LOBE_G2_CORRELATED, 0.5, 0.5};
  *     double weight;
@@ -7,7 +7,14 @@
  *
  * The truth that the approximations of lobe/albedo.h are measured against: unbiased, draws in
  * proportion to f cos of F = 1 summed over all scatterings. Walks of one bounce are the model of
- * lobe/reflection.h with the height-correlated G2. It draws; it has no density. */
+ * lobe/reflection.h with the height-correlated G2. A walk has no density, but its value can be
+ * estimated: for a lamp in direction wo
+ *
+ *     lobe_walk_eval(s, &f, 1, wi, wo, seed, k, 1000, &value);     // f cos, all scatterings
+ *     light += value * radiance / pdf_of_the_lamp;
+ *
+ * In multiple importance sampling any density stands in for the missing one, as long as both
+ * strategies take the same: that of the first scattering and a cosine will do. */
 #ifndef LOBE_WALK_H
 #define LOBE_WALK_H
 
@@ -26,6 +33,21 @@ typedef struct lobe_walk {
 LOBE_API lobe_walk lobe_walk_sample(lobe_microsurface s, const lobe_reflectance *f, int count,
                                     lobe_vec3_f64 wi, uint64_t seed, uint64_t index, int most,
                                     double *weights);
+
+/* An unbiased estimate of f |wo.z| for each of `count` <= 64 laws, scatterings up to the `most`-th: the first
+ * one exactly, the others by one walk from wi, which at each facet looks toward wo. It has no
+ * correlation with the walk of lobe_walk_sample of another seed or index. 0, and values of 0, for what
+ * lobe_walk_sample refuses and for a wo that is not above the surface; else 1. */
+LOBE_API int lobe_walk_eval(lobe_microsurface s, const lobe_reflectance *f, int count,
+                            lobe_vec3_f64 wi, lobe_vec3_f64 wo, uint64_t seed, uint64_t index,
+                            int most, double *values);
+
+/* A rough dielectric: a facet reflects with the chance of Fresnel's factor, else the walk goes on on the other
+ * side of the surface. `ior`: inside over outside, 1e-3 to 1e3. wi and wo above: outside, below: inside.
+ * Every walk carries all of the light; radiance is scaled as in lobe/dielectric.h, whose values with the
+ * height-correlated G2 are those of the walks of one bounce. */
+LOBE_API lobe_walk lobe_walk_dielectric_sample(lobe_microsurface s, double ior, lobe_vec3_f64 wi,
+                                               uint64_t seed, uint64_t index, int most);
 
 LOBE_END_C
 

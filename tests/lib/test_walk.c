@@ -1,5 +1,5 @@
-/* tests/lib/test_walk.c: random walks lose no light, begin as the model of one scattering does, and are
- * reciprocal. Fixed seeds; 5 standard errors. */
+/* tests/lib/test_walk.c: random walks lose no light, begin as the model of one scattering does, are
+ * reciprocal, and are what their estimated values add up to. Fixed seeds; 5 standard errors. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -15,9 +15,13 @@ enum { WALKS = 30000, MOST = 10000 };
 static const lobe_reflectance laws[] = {{LOBE_REFLECTANCE_ONE, 0, 0},
                                         {LOBE_REFLECTANCE_SCHLICK, 0.4, 0}};
 
-static lobe_microsurface surface(double alpha_x, double alpha_y) {
-    lobe_microsurface s = {LOBE_NDF_GGX, LOBE_MASKING_SMITH, LOBE_G2_CORRELATED, alpha_x, alpha_y};
+static lobe_microsurface surface_of(int ndf, double alpha_x, double alpha_y) {
+    lobe_microsurface s = {(lobe_ndf)ndf, LOBE_MASKING_SMITH, LOBE_G2_CORRELATED, alpha_x, alpha_y};
     return s;
+}
+
+static lobe_microsurface surface(double alpha_x, double alpha_y) {
+    return surface_of(LOBE_NDF_GGX, alpha_x, alpha_y);
 }
 
 static lobe_vec3_f64 toward(double mu, double azimuth) {
@@ -31,47 +35,58 @@ static const double cosines[] = {0.01, 0.4, 1};
 
 static void white_walks_lose_nothing(void **state) {
     (void)state;
-    for (int a = 0; a < 4; ++a)
-        for (int c = 0; c < 3; ++c)
-            for (uint64_t k = 0; k < WALKS / 10; ++k) {
-                double weights[2];
-                lobe_walk w = lobe_walk_sample(surface(alphas[a][0], alphas[a][1]), laws, 2,
-                                               toward(cosines[c], 0.4), 5, k, MOST, weights);
-                assert_true(weights[0] == 1 && weights[1] > 0 && weights[1] <= 1);
-                assert_true(w.bounces >= 1 && w.wo.z > 0);
-                double length = w.wo.x * w.wo.x + w.wo.y * w.wo.y + w.wo.z * w.wo.z;
-                assert_true(fabs(length - 1) < 1e-12);
-            }
+    for (int ndf = 0; ndf < LOBE_NDF_COUNT; ++ndf)
+        for (int a = 0; a < 4; ++a)
+            for (int c = 0; c < 3; ++c)
+                for (uint64_t k = 0; k < WALKS / 10; ++k) {
+                    double weights[2];
+                    lobe_walk w =
+                        lobe_walk_sample(surface_of(ndf, alphas[a][0], alphas[a][1]), laws, 2,
+                                         toward(cosines[c], 0.4), 5, k, MOST, weights);
+                    assert_true(weights[0] == 1 && weights[1] > 0 && weights[1] <= 1);
+                    assert_true(w.bounces >= 1 && w.wo.z > 0);
+                    double length = w.wo.x * w.wo.x + w.wo.y * w.wo.y + w.wo.z * w.wo.z;
+                    assert_true(fabs(length - 1) < 1e-12);
+                }
 }
 
-/* Walks of one bounce: their share is E, their weights are E with F, and a moment of their directions
- * is that of lobe/reflection.h. */
+/* Walks of one bounce: their share is E, their weights are E with F, */
+static void first_is_once(lobe_microsurface s, lobe_vec3_f64 wi) {
+    double share = 0, colour = 0, room = 5 * sqrt(0.25 / WALKS);
+    for (uint64_t k = 0; k < WALKS; ++k) {
+        double weights[2];
+        if (lobe_walk_sample(s, laws, 2, wi, 6, k, MOST, weights).bounces != 1) continue;
+        share += 1.0 / WALKS;
+        colour += weights[1] / WALKS;
+    }
+    assert_true(fabs(share - lobe_albedo(s, laws[0], wi, LOBE_EFFORT_MEDIUM)) < room);
+    assert_true(fabs(colour - lobe_albedo(s, laws[1], wi, LOBE_EFFORT_MEDIUM)) < room);
+}
+
+/* and a moment of their directions is that of lobe/reflection.h. */
 static void one_bounce_is_one_scattering(void **state) {
     (void)state;
+    for (int ndf = 0; ndf < LOBE_NDF_COUNT; ++ndf)
+        for (int a = 0; a < 3; ++a)
+            for (int c = 0; c < 3; ++c)
+                first_is_once(surface_of(ndf, alphas[a][0], alphas[a][1]), toward(cosines[c], 0.4));
     for (int a = 0; a < 3; ++a)
         for (int c = 0; c < 3; ++c) {
             lobe_microsurface s = surface(alphas[a][0], alphas[a][1]);
             lobe_vec3_f64 wi = toward(cosines[c], 0.4);
             lobe_reflection_f64 model = lobe_reflection_prepare_f64(
                 lobe_reflection_default_options(), wi, s.alpha_x, s.alpha_y);
-            double share = 0, colour = 0, moment = 0, drawn = 0;
+            double moment = 0, drawn = 0;
             for (uint64_t k = 0; k < WALKS; ++k) {
                 double weights[2];
                 lobe_walk w = lobe_walk_sample(s, laws, 2, wi, 6, k, MOST, weights);
-                if (w.bounces == 1) {
-                    share += 1.0 / WALKS;
-                    colour += weights[1] / WALKS;
-                    moment += w.wo.x / WALKS;
-                }
+                if (w.bounces == 1) moment += w.wo.x / WALKS;
                 lobe_random4 r = lobe_random(7, 0, k);
                 lobe_reflection_draw_f64 d =
                     lobe_reflection_sample_f64(&model, lobe_random_unit_f64(r.word[0], r.word[1]),
                                                lobe_random_unit_f64(r.word[2], r.word[3]), 0);
                 drawn += d.weight * d.wo.x / WALKS;
             }
-            double room = 5 * sqrt(0.25 / WALKS);
-            assert_true(fabs(share - lobe_albedo(s, laws[0], wi, LOBE_EFFORT_MEDIUM)) < room);
-            assert_true(fabs(colour - lobe_albedo(s, laws[1], wi, LOBE_EFFORT_MEDIUM)) < room);
             assert_true(fabs(moment - drawn) < 5 * sqrt(2.0 / WALKS));
         }
 }
@@ -98,6 +113,103 @@ static void walks_are_reciprocal(void **state) {
     assert_true(fabs(sum) < 5 * sqrt(squares));
 }
 
+/* Integrated over wo, drawn by the cosine, the estimated values are the mean of the walks: their sum, and a
+ * moment of where they go. */
+static void values_are_those_of_walks(void **state) {
+    (void)state;
+    for (int ndf = 0; ndf < LOBE_NDF_COUNT; ++ndf)
+        for (int a = 1; a < 3; ++a)
+            for (int c = 0; c < 3; ++c) {
+                lobe_microsurface s = surface_of(ndf, alphas[a][0], alphas[a][1]);
+                lobe_vec3_f64 wi = toward(cosines[c], 0.4);
+                double sum[2] = {0}, squares[2] = {0};
+                for (uint64_t k = 0; k < WALKS; ++k) {
+                    double walked[2], values[2];
+                    lobe_walk w = lobe_walk_sample(s, laws, 2, wi, 11, k, MOST, walked);
+                    lobe_random4 r = lobe_random(12, 0, k);
+                    double mu = sqrt(fmax(lobe_random_unit_f64(r.word[0], r.word[1]), 1e-12));
+                    lobe_vec3_f64 wo =
+                        toward(mu, 6.283185307179586 * lobe_random_unit_f64(r.word[2], r.word[3]));
+                    assert_true(lobe_walk_eval(s, laws, 2, wi, wo, 13, k, MOST, values));
+                    double value = values[1] * 3.14159265358979 / mu;
+                    double difference[2] = {value - walked[1], value * wo.x - walked[1] * w.wo.x};
+                    for (int m = 0; m < 2; ++m) {
+                        sum[m] += difference[m];
+                        squares[m] += difference[m] * difference[m];
+                    }
+                }
+                for (int m = 0; m < 2; ++m)
+                    if (!(fabs(sum[m]) < 5 * sqrt(squares[m])))
+                        fail_msg("ndf %d, alpha %g, cosine %g, moment %d: off by %g of %g", ndf,
+                                 s.alpha_x, cosines[c], m, sum[m], sqrt(squares[m]));
+            }
+}
+
+/* What one bounce makes of a rough dielectric is lobe/dielectric.h, reflected and transmitted, from both sides; all
+ * bounces lose nothing. */
+static void dielectrics_begin_as_one_bounce(void **state) {
+    (void)state;
+    lobe_dielectric_options options = lobe_dielectric_default_options();
+    options.transport = LOBE_TRANSPORT_IMPORTANCE;
+    const double indices[] = {1.5, 0.7};
+    for (int n = 0; n < 2; ++n)
+        for (int a = 0; a < 3; ++a)
+            for (int c = 0; c < 6; ++c) {
+                lobe_microsurface s = surface(alphas[a][0], alphas[a][1]);
+                lobe_vec3_f64 wi = toward(cosines[c % 3], 0.4);
+                if (c > 2) wi.z = -wi.z;
+                lobe_dielectric_f64 model =
+                    lobe_dielectric_prepare_f64(options, wi, s.alpha_x, s.alpha_y, indices[n]);
+                double sum[4] = {0}, squares[4] = {0};
+                for (uint64_t k = 0; k < WALKS; ++k) {
+                    lobe_walk w = lobe_walk_dielectric_sample(s, indices[n], wi, 14, k, MOST);
+                    assert_true(w.bounces >= 1 && w.wo.z != 0);
+                    lobe_random4 r = lobe_random(15, 0, k), q = lobe_random(16, 0, k);
+                    lobe_dielectric_draw_f64 d = lobe_dielectric_sample_f64(
+                        &model, lobe_random_unit_f64(r.word[0], r.word[1]),
+                        lobe_random_unit_f64(r.word[2], r.word[3]),
+                        lobe_random_unit_f64(q.word[0], q.word[1]));
+                    double once = w.bounces == 1, crossed = w.wo.z * wi.z < 0;
+                    double weight = d.pdf > 0 ? d.weight : 0, passed = d.transmitted;
+                    double difference[4] = {once * (1 - crossed) - weight * (1 - passed),
+                                            once * crossed - weight * passed,
+                                            once * w.wo.x - weight * d.wo.x,
+                                            once * w.wo.y * w.wo.z - weight * d.wo.y * d.wo.z};
+                    for (int m = 0; m < 4; ++m) {
+                        sum[m] += difference[m];
+                        squares[m] += difference[m] * difference[m];
+                    }
+                }
+                for (int m = 0; m < 4; ++m)
+                    if (!(fabs(sum[m]) < 5 * sqrt(squares[m]) + 1e-9))
+                        fail_msg("index %g, alpha %g, cosine %g, moment %d: off by %g of %g",
+                                 indices[n], s.alpha_x, wi.z, m, sum[m], sqrt(squares[m]));
+            }
+}
+
+/* Even light on both sides, in proportion to the square of the index, stays so: what crosses from one side is
+ * what crosses from the other. Equal indices let everything pass straight. */
+static void dielectrics_keep_their_balance(void **state) {
+    (void)state;
+    const double index = 1.4;
+    lobe_microsurface s = surface(0.9, 0.5);
+    double crossed[2] = {0};
+    for (int side = 0; side < 2; ++side)
+        for (uint64_t k = 0; k < 4 * WALKS; ++k) {
+            lobe_random4 r = lobe_random(17, (uint64_t)side, k);
+            double mu = sqrt(fmax(lobe_random_unit_f64(r.word[0], r.word[1]), 1e-12));
+            lobe_vec3_f64 wi =
+                toward(mu, 6.283185307179586 * lobe_random_unit_f64(r.word[2], r.word[3]));
+            if (side) wi.z = -wi.z;
+            lobe_walk w = lobe_walk_dielectric_sample(s, index, wi, 18, k, MOST);
+            crossed[side] += w.wo.z * wi.z < 0 ? 0.25 / WALKS : 0;
+            w = lobe_walk_dielectric_sample(s, 1, wi, 18, k, MOST);
+            assert_true(fabs(w.wo.x + wi.x) + fabs(w.wo.z + wi.z) < 1e-9);
+        }
+    double room = 5 * sqrt(0.25 / (4 * WALKS)) * (1 + index * index);
+    assert_true(fabs(crossed[0] - index * index * crossed[1]) < room);
+}
+
 static void walks_are_cut_and_refused(void **state) {
     (void)state;
     lobe_microsurface s = surface(1, 1);
@@ -116,13 +228,25 @@ static void walks_are_cut_and_refused(void **state) {
         assert_true(weight == 0);
     }
     double weight = 7;
+    const lobe_vec3_f64 up = toward(0.5, 0), down = {0, 0, -1};
+    assert_false(lobe_walk_eval(s, laws, 1, up, down, 1, 0, 10, &weight));
+    assert_true(weight == 0);
+    assert_false(lobe_walk_eval(s, laws, 1, down, up, 1, 0, 10, &weight));
+    assert_int_equal(lobe_walk_dielectric_sample(s, 0, up, 1, 0, 10).bounces, 0);
+    assert_int_equal(lobe_walk_dielectric_sample(s, NAN, up, 1, 0, 10).bounces, 0);
+    s.masking = LOBE_MASKING_VCAVITY;
+    assert_int_equal(lobe_walk_sample(s, laws, 1, up, 1, 0, 10, &weight).bounces, 0);
     assert_int_equal(
         lobe_walk_sample(surface(NAN, 1), laws, 1, toward(0.5, 0), 1, 0, 10, &weight).bounces, 0);
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(white_walks_lose_nothing), cmocka_unit_test(one_bounce_is_one_scattering),
-        cmocka_unit_test(walks_are_reciprocal), cmocka_unit_test(walks_are_cut_and_refused)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(white_walks_lose_nothing),
+                                       cmocka_unit_test(one_bounce_is_one_scattering),
+                                       cmocka_unit_test(walks_are_reciprocal),
+                                       cmocka_unit_test(values_are_those_of_walks),
+                                       cmocka_unit_test(dielectrics_begin_as_one_bounce),
+                                       cmocka_unit_test(dielectrics_keep_their_balance),
+                                       cmocka_unit_test(walks_are_cut_and_refused)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
