@@ -35,7 +35,7 @@ typedef struct render_values {
 } render_values;
 
 static const char *const heuristics[] = {"balance", "power", "bsdf-only", "light-only", NULL};
-static const char *const multiscatters[] = {"none", "kulla-conty", "turquin", NULL};
+static const char *const multiscatters[] = {"none", "kulla-conty", "turquin", "walk", NULL};
 
 #define AOV_NAME(ID, name, channels, about) " " name
 #define AOV_NAMES LOBE_AOVS(AOV_NAME)
@@ -126,7 +126,8 @@ static const lobe_app_option method_options[] = {
      lobe_app_g2s},
     {"--normalization", "NAME", "unbiased", "of the densities behind a shading normal",
      lobe_app_read_choice, AT(normalization), lobe_app_normalizations},
-    {"--multiscatter", "NAME", "none", "what metals scatter more than once", lobe_app_read_choice,
+    {"--multiscatter", "NAME", "none",
+     "what metals scatter more than once: an approximation, or random walks", lobe_app_read_choice,
      AT(multiscatter), multiscatters},
     {"--heuristic", "NAME", "balance", "how light and surface samples are combined",
      lobe_app_read_choice, AT(heuristic), heuristics},

@@ -37,9 +37,14 @@ typedef struct coat_table {
 } coat_table;
 
 /* The table of a microsurface, made at the first call and kept. Without anisotropy it holds what equal
- * roughnesses read and takes a twentieth of the time. NULL: memory is lacking. */
+ * roughnesses read and takes a twentieth of the time; with it, that of Smith-GGX with correlated heights is
+ * ready (tools/numerics/coat_table.c). NULL: memory is lacking. */
 const coat_table *lobe_coat_table(lobe_ndf ndf, lobe_masking masking, lobe_g2 g2,
                                   int has_anisotropy);
+
+/* Builds one anew; `table` is all 0. 0: memory is lacking. */
+int lobe_coat_build(coat_table *table, lobe_ndf ndf, lobe_masking masking, lobe_g2 g2,
+                    int has_anisotropy);
 
 /* The coat at a shading point. */
 typedef struct coat {

@@ -123,15 +123,21 @@ static void stretch(const lobe_scene *s, const hit_point *h, frame *shading, flo
     *anisotropy = (alpha_x - alpha_y) / (alpha_x + alpha_y);
 }
 
-static surface surface_of(const integrator *k, const hit_point *h, vec3 to_viewer) {
+static surface surface_of(const path *p, const hit_point *h, vec3 to_viewer) {
+    const integrator *k = p->k;
     const material *m = h->material;
+    uint64_t random = 0;
+    if (k->surface.multiscatter == LOBE_MULTISCATTER_WALK) {
+        const sampler_point point = lobe_sampler_next(p->points);
+        random = (uint64_t)point.bits[0] << 32 | point.bits[1];
+    }
     vec3 packed = sample_map(k->scene, &m->surface_map, h, v3_all(1.0f));
     frame shading = h->shading;
     float roughness = m->roughness * packed.y, anisotropy = m->anisotropy;
     if (m->stretch > 0.0f) stretch(k->scene, h, &shading, &roughness, &anisotropy);
     return lobe_surface_at(&k->surface, shading, h->geometric, to_viewer,
                            base_color_at(k->scene, h), m->metallic * packed.z, roughness,
-                           anisotropy);
+                           anisotropy, random);
 }
 
 /* Share of a sample of density a when b could have made it too. */
@@ -353,7 +359,7 @@ film_sample lobe_trace_path(const integrator *k, vec3 origin, vec3 direction, sa
         }
         hit_point h = hit_point_of(k->scene, &hit, p.direction);
         add_met_light(&p, h.emission, lamp_pdf(k->scene, &h, p.direction));
-        surface s = surface_of(k, &h, v3_neg(p.direction));
+        surface s = surface_of(&p, &h, v3_neg(p.direction));
         if (scatterings == 0) keep_first_hit(&p, &h, &s);
         if (scatterings == k->depth || h.material->is_unlit) break;
         add_drawn_light(&p, &h, &s);

@@ -18,10 +18,17 @@ static float compensate(surface *s, lobe_multiscatter multiscatter,
     s->rest = v3_all(0.0f);
     s->factor = v3_all(1.0f);
     if (multiscatter == LOBE_MULTISCATTER_NONE || !(s->metallic > 0.0f)) return 0.0f;
+    if (multiscatter == LOBE_MULTISCATTER_WALK && !(s->ggx.wi.z > 0.0f)) return 0.0f;
     s->albedo = lobe_albedo_prepare_f32(o->model.ndf, o->model.masking, o->g2, s->ggx.alpha_x,
                                         s->ggx.alpha_y);
     float missing = lobe_albedo_missing_f32(&s->albedo, s->ggx.wi);
     if (s->ggx.is_mirror || !(missing > 0.0f)) return 0.0f;
+    if (multiscatter == LOBE_MULTISCATTER_WALK) {
+        s->factor = v3_all(0.0f);
+        s->walks = s->ggx.is_valid ? 1.0f : 0.0f;
+        s->walk_once = 1.0f - missing;
+        return 0.0f;
+    }
     vec3 f0 = s->base_color;
     if (multiscatter == LOBE_MULTISCATTER_TURQUIN) {
         s->factor = v3(lobe_multiscatter_turquin_f32(f0.x, missing),
@@ -45,11 +52,24 @@ static float specular_probability(const surface *s, float coat_i, float rest) {
     return clampf(specular / fmaxf(specular + diffuse, 1e-6f), 0.1f, 1.0f);
 }
 
+/* A metal that walks beside a coat and its base: the three in proportion to what they reflect. */
+static void share_walks(surface *s, float coat_i) {
+    float base = v3_luminance(s->base_color), rest = 1.0f - s->metallic;
+    float metal = s->metallic * base, diffuse = rest * base * (1.0f - coat_i);
+    s->walks = clampf(metal / fmaxf(metal + rest * coat_i + diffuse, 1e-6f), 0.1f, 0.9f);
+    s->specular = clampf(rest * coat_i / fmaxf(rest * coat_i + diffuse, 1e-6f), 0.1f, 1.0f);
+}
+
 surface lobe_surface_at(const surface_options *options, frame shading, vec3 geometric,
                         vec3 to_viewer, vec3 base_color, float metallic, float roughness,
-                        float anisotropy) {
-    surface s = {
-        .frame = shading, .geometric = geometric, .base_color = base_color, .metallic = metallic};
+                        float anisotropy, uint64_t random) {
+    surface s = {.frame = shading,
+                 .geometric = geometric,
+                 .base_color = base_color,
+                 .metallic = metallic,
+                 .walk_seed = random,
+                 .ndf = options->ggx.model.ndf,
+                 .masking = options->ggx.model.masking};
     lobe_vec3_f32 wi = frame_to_local(&shading, to_viewer);
     float alpha = roughness * roughness;
     s.ggx = lobe_reflection_prepare_above_f32(options->ggx, wi, alpha * (1.0f + anisotropy),
@@ -63,16 +83,44 @@ surface lobe_surface_at(const surface_options *options, frame shading, vec3 geom
     s.base_share_i =
         (1.0f - metallic) * (1.0f - coat_i) / (LOBE_PI * (1.0f - lobe_coat_average(&s.coat)));
     s.specular = specular_probability(&s, coat_i, rest);
+    if (s.walks > 0.0f) share_walks(&s, coat_i);
     return s;
 }
 
-vec3 lobe_surface_value(const surface *s, vec3 direction, float *pdf) {
-    *pdf = 0.0f;
-    vec3 wo = frame_to_local(&s->frame, direction);
-    if (!(wo.z > 0.0f) || !(v3_dot(direction, s->geometric) > 0.0f)) return v3_all(0.0f);
-    lobe_reflection_eval_f32 e = lobe_reflection_eval_wo_f32(&s->ggx, wo);
-    vec3 value = v3_scale(fresnel(s, e.cos_im), e.f_cos);
-    *pdf = s->specular * e.pdf + (1.0f - s->specular) * wo.z / LOBE_PI;
+enum { WALK_BOUNCES = 1000 };
+
+static lobe_vec3_f64 in_double(vec3 v) {
+    return (lobe_vec3_f64){(double)v.x, (double)v.y, (double)v.z};
+}
+
+static lobe_microsurface microsurface_of(const surface *s) {
+    return (lobe_microsurface){s->ndf, s->masking, LOBE_G2_CORRELATED, (double)s->ggx.alpha_x,
+                               (double)s->ggx.alpha_y};
+}
+
+static void laws_of(const surface *s, lobe_reflectance laws[3]) {
+    const float f0[] = {s->base_color.x, s->base_color.y, s->base_color.z};
+    for (int c = 0; c < 3; c++)
+        laws[c] = (lobe_reflectance){LOBE_REFLECTANCE_SCHLICK, (double)f0[c], 0.0};
+}
+
+static vec3 color_of(const double values[3], float share) {
+    return v3((float)values[0] * share, (float)values[1] * share, (float)values[2] * share);
+}
+
+static vec3 walk_value(const surface *s, vec3 wo) {
+    lobe_reflectance laws[3];
+    double values[3];
+    laws_of(s, laws);
+    lobe_walk_eval(microsurface_of(s), laws, 3, in_double(s->ggx.wi), in_double(wo), s->walk_seed,
+                   0, WALK_BOUNCES, values);
+    return color_of(values, s->metallic);
+}
+
+/* All but a walk, and the density of all but a walk. */
+static vec3 value_beside(const surface *s, const lobe_reflection_eval_f32 *e, vec3 wo, float *pdf) {
+    vec3 value = v3_scale(fresnel(s, e->cos_im), e->f_cos);
+    *pdf = s->specular * e->pdf + (1.0f - s->specular) * wo.z / LOBE_PI;
     if (v3_max(s->rest) > 0.0f)
         value = v3_add(value, v3_scale(s->rest, lobe_albedo_missing_f32(&s->albedo, wo) * wo.z));
     if (!(s->base_share_i > 0.0f)) return value;
@@ -80,38 +128,86 @@ vec3 lobe_surface_value(const surface *s, vec3 direction, float *pdf) {
     return v3_add(value, v3_scale(s->base_color, share));
 }
 
+/* The density of everything, what stands for that of a walk included. */
+static float density(const surface *s, const lobe_reflection_eval_f32 *e, vec3 wo, float beside) {
+    float walk = s->walk_once * e->pdf + (1.0f - s->walk_once) * wo.z / LOBE_PI;
+    return s->walks * walk + (1.0f - s->walks) * beside;
+}
+
+static int leaves(const surface *s, vec3 wo, vec3 direction) {
+    return wo.z > 0.0f && v3_dot(direction, s->geometric) > 0.0f;
+}
+
+vec3 lobe_surface_value(const surface *s, vec3 direction, float *pdf) {
+    *pdf = 0.0f;
+    vec3 wo = frame_to_local(&s->frame, direction);
+    if (!leaves(s, wo, direction)) return v3_all(0.0f);
+    lobe_reflection_eval_f32 e = lobe_reflection_eval_wo_f32(&s->ggx, wo);
+    float beside;
+    vec3 value = value_beside(s, &e, wo, &beside);
+    *pdf = density(s, &e, wo, beside);
+    return s->walks > 0.0f ? v3_add(value, walk_value(s, wo)) : value;
+}
+
 static surface_draw rejected(int is_ggx) {
     return (surface_draw){.is_ggx = is_ggx};
+}
+
+/* A direction drawn beside the walks, weighed with all that is there. */
+static surface_draw draw_toward(const surface *s, vec3 direction, int is_ggx) {
+    vec3 wo = frame_to_local(&s->frame, direction);
+    if (!leaves(s, wo, direction)) return rejected(is_ggx);
+    lobe_reflection_eval_f32 e = lobe_reflection_eval_wo_f32(&s->ggx, wo);
+    float beside;
+    vec3 value = value_beside(s, &e, wo, &beside);
+    if (!(beside > 0.0f)) return rejected(is_ggx);
+    return (surface_draw){.direction = direction,
+                          .weight = v3_scale(value, 1.0f / ((1.0f - s->walks) * beside)),
+                          .pdf = density(s, &e, wo, beside),
+                          .is_ggx = is_ggx};
 }
 
 static surface_draw draw_ggx(const surface *s, float u1, float u2, float u3) {
     lobe_reflection_draw_f32 d = lobe_reflection_sample_f32(&s->ggx, u1, u2, u3);
     if (!(d.pdf > 0.0f)) return rejected(1);
     vec3 direction = frame_to_world(&s->frame, d.wo);
-    surface_draw draw = {.direction = direction, .pdf = d.pdf, .is_ggx = 1};
-    if (s->ggx.is_mirror || s->specular >= 1.0f) {
-        /* the weight of the draw itself: exact, no density is divided out */
-        draw.is_mirror = s->ggx.is_mirror;
-        draw.weight = v3_scale(fresnel(s, d.cos_im), d.weight / s->specular);
-        return draw;
-    }
-    vec3 value = lobe_surface_value(s, direction, &draw.pdf);
-    draw.weight = draw.pdf > 0.0f ? v3_scale(value, 1.0f / draw.pdf) : v3_all(0.0f);
-    return draw;
+    if (!s->ggx.is_mirror && (s->specular < 1.0f || s->walks > 0.0f))
+        return draw_toward(s, direction, 1);
+    /* the weight of the draw itself: exact, no density is divided out */
+    return (surface_draw){.direction = direction,
+                          .weight = v3_scale(fresnel(s, d.cos_im), d.weight / s->specular),
+                          .pdf = d.pdf,
+                          .is_mirror = s->ggx.is_mirror,
+                          .is_ggx = 1};
 }
 
 static surface_draw draw_base(const surface *s, float u1, float u2) {
     float radius = sqrtf(u1), angle = 2.0f * LOBE_PI * u2;
     vec3 wo = {radius * cosf(angle), radius * sinf(angle), sqrtf(1.0f - u1)};
-    surface_draw draw = {.direction = frame_to_world(&s->frame, wo)};
-    vec3 value = lobe_surface_value(s, draw.direction, &draw.pdf);
-    if (!(draw.pdf > 0.0f)) return rejected(0);
-    draw.weight = v3_scale(value, 1.0f / draw.pdf);
-    return draw;
+    return draw_toward(s, frame_to_world(&s->frame, wo), 0);
+}
+
+static surface_draw draw_walk(const surface *s) {
+    lobe_reflectance laws[3];
+    double weights[3];
+    laws_of(s, laws);
+    lobe_walk walk = lobe_walk_sample(microsurface_of(s), laws, 3, in_double(s->ggx.wi),
+                                      s->walk_seed, 1, WALK_BOUNCES, weights);
+    vec3 wo = v3((float)walk.wo.x, (float)walk.wo.y, (float)walk.wo.z);
+    vec3 direction = frame_to_world(&s->frame, wo);
+    if (walk.bounces == 0 || !leaves(s, wo, direction)) return rejected(1);
+    lobe_reflection_eval_f32 e = lobe_reflection_eval_wo_f32(&s->ggx, wo);
+    float beside = s->specular * e.pdf + (1.0f - s->specular) * wo.z / LOBE_PI;
+    return (surface_draw){.direction = direction,
+                          .weight = color_of(weights, s->metallic / s->walks),
+                          .pdf = fmaxf(density(s, &e, wo, beside), 1e-30f),
+                          .is_ggx = 1};
 }
 
 surface_draw lobe_surface_draw(const surface *s, float choice, float u1, float u2) {
-    /* what is left of the choice is a number of its own */
+    if (choice < s->walks) return draw_walk(s);
+    /* what is left of a choice is a number of its own */
+    choice = (choice - s->walks) / (1.0f - s->walks);
     if (choice < s->specular) return draw_ggx(s, u1, u2, choice / s->specular);
     return draw_base(s, u1, u2);
 }

@@ -7,13 +7,16 @@
  * all light, and never more, for the table bounds E from above.
  *
  * What the metal scatters more than once is left out, added as a second lobe (Kulla & Conty 2017), drawn
- * like the base, or made up for by a factor (Turquin 2019): lobe/albedo.h. */
+ * like the base, made up for by a factor (Turquin 2019): lobe/albedo.h; or followed by random walks
+ * (Heitz et al. 2016): lobe/walk.h. A walk has no density: in its place stands that of the GGX and of a cosine
+ * by what was scattered once and more than once, the same wherever densities are weighed. */
 #ifndef LOBE_RENDER_MATERIAL_H
 #define LOBE_RENDER_MATERIAL_H
 
 #include "coat.h"
 #include "lobe/fresnel.h"
 #include "lobe/render.h"
+#include "lobe/walk.h"
 
 typedef struct surface {
     frame frame;             /* shading */
@@ -25,8 +28,13 @@ typedef struct surface {
     float base_share_i;     /* (1 - metallic) (1 - E(i))/(pi (1 - E_avg)); 0: no base */
     lobe_albedo_f32 albedo; /* of the metal, with F = 1 */
     vec3 rest;              /* colour of the metal's second lobe: its f is rest * (1 - E(o)) */
-    vec3 factor;            /* on the metal's first */
+    vec3 factor;            /* on the metal's first; 0 where it walks */
     float specular;         /* probability of drawing from the GGX */
+    float walks;            /* probability of a walk, before all else; 0: the metal does not walk */
+    float walk_once;        /* share of the walks that scatter once, roughly */
+    uint64_t walk_seed;
+    lobe_ndf ndf;
+    lobe_masking masking;
 } surface;
 
 typedef struct surface_draw {
@@ -43,13 +51,14 @@ typedef struct surface_options {
     lobe_multiscatter multiscatter;
 } surface_options;
 
-/* `to_viewer`: unit, world, on the front of `geometric`. */
+/* `to_viewer`: unit, world, on the front of `geometric`. `random`: of the walks. */
 surface lobe_surface_at(const surface_options *options, frame shading, vec3 geometric,
                         vec3 to_viewer, vec3 base_color, float metallic, float roughness,
-                        float anisotropy);
+                        float anisotropy, uint64_t random);
 surface_draw lobe_surface_draw(const surface *s, float choice, float u1, float u2);
 
-/* f cos and density at a direction; 0 below either surface, and for mirrors. */
+/* f cos and density at a direction; 0 below either surface, and for mirrors. Of a metal that walks an
+ * estimate, the same at each call. */
 vec3 lobe_surface_value(const surface *s, vec3 direction, float *pdf);
 
 #endif

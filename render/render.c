@@ -196,11 +196,13 @@ static lobe_render_result check_options(const lobe_render_options *o) {
         return lobe_fail(LOBE_RENDER_BAD_INPUT, "threads: %d is out of range; use 0 to 1024",
                          o->threads);
     const lobe_model model = o->reflection.model;
-    if (o->multiscatter != LOBE_MULTISCATTER_NONE &&
-        (model.ndf != LOBE_NDF_GGX || model.masking != LOBE_MASKING_SMITH))
-        return lobe_fail(LOBE_RENDER_BAD_INPUT,
-                         "multiscatter: known for --ndf ggx --masking smith only; leave it out");
-    if (!lobe_model_exists(model) || (unsigned)o->multiscatter > LOBE_MULTISCATTER_TURQUIN ||
+    if (o->multiscatter == LOBE_MULTISCATTER_WALK &&
+        (model.masking != LOBE_MASKING_SMITH || o->reflection.g2 != LOBE_G2_CORRELATED))
+        return lobe_fail(
+            LOBE_RENDER_BAD_INPUT,
+            "multiscatter: walks are known for --masking smith --g2 correlated only; use "
+            "another");
+    if (!lobe_model_exists(model) || (unsigned)o->multiscatter > LOBE_MULTISCATTER_WALK ||
         !(o->reflection.floor >= 0.0 && o->reflection.floor <= 1.0) ||
         (unsigned)o->heuristic >= 4u || !(o->time_limit >= 0.0))
         return lobe_fail(LOBE_RENDER_BAD_INPUT,

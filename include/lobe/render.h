@@ -161,17 +161,18 @@ typedef struct lobe_render_progress {
 /* Called by the thread that called lobe_render, a few times a second. */
 typedef void (*lobe_progress_function)(void *user, const lobe_render_progress *progress);
 
-/* What metals scatter more than once (lobe/albedo.h): left out, a second lobe (Kulla & Conty 2017), a
- * factor (Turquin 2019). */
+/* What metals scatter more than once: left out, a second lobe (Kulla & Conty 2017), a factor (Turquin 2019):
+ * lobe/albedo.h; or all of it, without bias, by random walks (Heitz et al. 2016): lobe/walk.h. */
 typedef enum lobe_multiscatter {
     LOBE_MULTISCATTER_NONE,
     LOBE_MULTISCATTER_KULLA_CONTY,
-    LOBE_MULTISCATTER_TURQUIN
+    LOBE_MULTISCATTER_TURQUIN,
+    LOBE_MULTISCATTER_WALK
 } lobe_multiscatter;
 
 typedef struct lobe_render_options {
     lobe_reflection_options reflection; /* default Smith-GGX, bounded; floor 0.1 */
-    lobe_multiscatter multiscatter;     /* not NONE: Smith-GGX only; default NONE */
+    lobe_multiscatter multiscatter;     /* WALK: Smith, correlated only; default NONE */
     int width, height;                  /* pixels, 1 to LOBE_RENDER_SIZE_MAX; default 960 x 540 */
     uint32_t samples;   /* camera paths a pixel, 1 to LOBE_RENDER_SAMPLES_MAX; default 64 */
     int depth;          /* greatest number of surface scatterings on a path, 0 to 1000000; 8 */

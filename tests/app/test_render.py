@@ -77,6 +77,9 @@ class PictureTest(RenderTest):
         one = self.render("a.pfm", "--threads", "1", "--seed", "5")
         self.assertTrue(one == self.render("b.pfm", "--threads", "3", "--seed", "5"))
         self.assertFalse(one == self.render("c.pfm", "--seed", "6"))
+        walk = ("--multiscatter", "walk")
+        self.assertTrue(self.render("a.pfm", "--threads", "1", *walk) ==
+                        self.render("b.pfm", "--threads", "3", *walk))
 
     def test_every_option_changes_the_picture(self):
         """A wall whose shading normals face away often, and a scene with a lamp."""
@@ -86,7 +89,10 @@ class PictureTest(RenderTest):
                                ("normal-mapped", "--g2", "separable"), ("gallery", "--depth", "1"),
                                ("gallery", "--method", "ndf"), ("gallery", "--spp", "3"),
                                ("gallery", "--heuristic", "power"), ("gallery", "--env", panorama),
-                               ("gallery", "--exposure", "0.5")):
+                               ("gallery", "--exposure", "0.5"),
+                               ("gallery", "--multiscatter", "kulla-conty"),
+                               ("gallery", "--multiscatter", "turquin"),
+                               ("gallery", "--multiscatter", "walk")):
             pictures = set()
             for extra in ([], option):
                 samples = [] if "--spp" in extra else ["--spp", "2"]
@@ -199,6 +205,8 @@ class ErrorTest(RenderTest):
                       where="--aov")
         self.rejected("render", "gallery", *SMALL, "--json", "--aov", "depth", where="--aov")
         self.rejected("render", "gallery", *SMALL, "--json", "--camera", "none")
+        self.rejected("render", "gallery", *SMALL, "--json", "--multiscatter", "walk", "--g2",
+                      "separable")
         self.assertEqual(os.listdir(self.folder), [])
 
     def test_input(self):

@@ -47,6 +47,26 @@ static void estimators_agree(void **state) {
     lobe_scene_free(scene);
 }
 
+/* The values of random walks that lamps are weighed with are those of the walks that are drawn. */
+static void walks_agree(void **state) {
+    (void)state;
+    lobe_scene *scene = load("gallery");
+    lobe_render_options o = small(32, 32, 96);
+    o.depth = 1;
+    o.multiscatter = LOBE_MULTISCATTER_WALK;
+    block_means expected = measure(scene, o);
+    const lobe_heuristic others[] = {LOBE_HEURISTIC_POWER, LOBE_HEURISTIC_LIGHT_ONLY};
+    for (int k = 0; k < 2; ++k) {
+        o.heuristic = others[k];
+        o.seed = 15 + (uint64_t)k;
+        block_means means = measure(scene, o);
+        double z = disagreement(&means, &expected);
+        if (!(z < 2.2))
+            fail_msg("%s is off by %g standard errors", lobe_heuristic_name(others[k]), z);
+    }
+    lobe_scene_free(scene);
+}
+
 /* The test can fail: the biased normalisation makes the normal-mapped wall too bright. */
 static void previous_normalization_is_too_bright(void **state) {
     (void)state;
@@ -72,6 +92,7 @@ int main(void) {
         {"methods_agree on cornell", methods_agree, NULL, NULL, "cornell"},
         {"methods_agree on gallery", methods_agree, NULL, NULL, "gallery"},
         cmocka_unit_test(estimators_agree),
+        cmocka_unit_test(walks_agree),
         cmocka_unit_test(previous_normalization_is_too_bright),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -154,12 +154,12 @@ static void metal_walls_add_their_albedo(void **state) {
 }
 
 /* Compensated metal of F = 1 is white: every scattering adds the same. Turquin's factor is exact at one
- * surface only in the direction of the viewer, Kulla & Conty's lobe too: both at every one. */
+ * surface only in the direction of the viewer, Kulla & Conty's lobe too: both at every one. Walks are. */
 static void compensated_metal_loses_nothing(void **state) {
     (void)state;
     enum { DEPTH = 4 };
     const float roughnesses[] = {0.1f, 0.4f, 0.7f, 1.0f}, anisotropies[] = {0.0f, 0.5f};
-    for (int c = 1; c < 3; ++c)
+    for (int c = 1; c <= LOBE_MULTISCATTER_WALK; ++c)
         for (int r = 0; r < 4; ++r)
             for (int a = 0; a < 2; ++a) {
                 material m = {.base_color = v3_all(1.0f),
@@ -175,6 +175,43 @@ static void compensated_metal_loses_nothing(void **state) {
                              (double)roughnesses[r], (double)anisotropies[a], e.mean, e.error,
                              DEPTH + 1);
             }
+}
+
+/* Coloured metal that walks adds at first what the walks of the library reflect; half metal, half of that and
+ * half of what the rest adds. */
+static void walks_add_their_albedo(void **state) {
+    (void)state;
+    enum { WALKS = 20000 };
+    const float cosines[] = {0.1f, 0.6f};
+    for (int c = 0; c < 2; ++c) {
+        const lobe_microsurface s = {LOBE_NDF_GGX, LOBE_MASKING_SMITH, LOBE_G2_CORRELATED, 0.64,
+                                     0.64};
+        const lobe_reflectance f = {LOBE_REFLECTANCE_SCHLICK, 0.5, 0};
+        const double mu = (double)cosines[c];
+        double walked = 0, squares = 0;
+        for (uint64_t k = 0; k < WALKS; ++k) {
+            double weight;
+            lobe_walk_sample(s, &f, 1, (lobe_vec3_f64){sqrt(1 - mu * mu), 0, mu}, 1, k, 10000,
+                             &weight);
+            walked += weight / WALKS;
+            squares += weight * weight / WALKS;
+        }
+        const double spread = sqrt((squares - walked * walked) / WALKS);
+        material m = {.base_color = v3_all(0.5f), .roughness = 0.8f};
+        const estimate plain = radiance(m, toward_wall(cosines[c]), 1, SAMPLES);
+        compensation = LOBE_MULTISCATTER_WALK;
+        m.metallic = 1.0f;
+        const estimate whole = radiance(m, toward_wall(cosines[c]), 1, SAMPLES);
+        m.metallic = 0.5f;
+        const estimate half = radiance(m, toward_wall(cosines[c]), 1, SAMPLES);
+        compensation = LOBE_MULTISCATTER_NONE;
+        if (!(fabs(whole.mean - 1 - walked) < 5 * hypot(whole.error, spread) + 1e-4))
+            fail_msg("cosine %g: %g +- %g is not 1 + %g", mu, whole.mean, whole.error, walked);
+        const double room = hypot(hypot(half.error, plain.error), spread);
+        const double expected = 0.5 * (1 + walked) + 0.5 * plain.mean;
+        if (!(fabs(half.mean - expected) < 5 * room + 1e-3))
+            fail_msg("cosine %g, half metal: %g +- %g is not %g", mu, half.mean, room, expected);
+    }
 }
 
 /* A base of any colour: what the coat reflects, and the base's share of what it lets through. */
@@ -200,6 +237,7 @@ int main(void) {
                                        cmocka_unit_test(white_walls_lose_nothing),
                                        cmocka_unit_test(metal_walls_add_their_albedo),
                                        cmocka_unit_test(compensated_metal_loses_nothing),
+                                       cmocka_unit_test(walks_add_their_albedo),
                                        cmocka_unit_test(coloured_walls_add_both_parts)};
     return cmocka_run_group_tests(tests, load_box, free_box);
 }
