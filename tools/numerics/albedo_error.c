@@ -1,19 +1,24 @@
 /* tools/numerics/albedo_error.c: the numbers of docs/multiple-scattering.md.
  *
  *     cc -O2 -Iinclude tools/numerics/albedo_error.c build/liblobe.a -lm -o albedo_error
- *     ./albedo_error                                            # a minute
+ *     ./albedo_error [fits|furnace|ratios|colour]               # two minutes for all
  *
- * Fits and tables against the quadrature, public fits beside ours; rules for unequal roughnesses; the
- * colour of both compensations against random walks. */
+ * Fits and tables against the quadrature, public fits beside ours; the white furnace of both compensations
+ * with each; rules for unequal roughnesses; the colour of both compensations against random walks. */
 #include <lobe/lobe.h>
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 static const lobe_reflectance one = {LOBE_REFLECTANCE_ONE, 0, 0};
 
-static lobe_microsurface surface(lobe_g2 g2, double alpha_x, double alpha_y) {
-    return (lobe_microsurface){LOBE_NDF_GGX, LOBE_MASKING_SMITH, g2, alpha_x, alpha_y};
+static const char *const g2_names[] = {"correlated", "separable"};
+
+static lobe_microsurface with(lobe_microsurface s, double alpha_x, double alpha_y) {
+    s.alpha_x = alpha_x;
+    s.alpha_y = alpha_y;
+    return s;
 }
 
 static lobe_vec3_f64 toward(double mu, double azimuth) {
@@ -29,22 +34,30 @@ static double table(lobe_microsurface s, double mu, double azimuth) {
            (double)lobe_albedo_missing_f32(&a, (lobe_vec3_f32){(float)w.x, (float)w.y, (float)w.z});
 }
 
+static double quadrature(lobe_microsurface s, double mu, double azimuth) {
+    const lobe_effort effort =
+        s.masking == LOBE_MASKING_SMITH ? LOBE_EFFORT_MEDIUM : LOBE_EFFORT_FINE;
+    return lobe_albedo(s, one, toward(mu, azimuth), effort);
+}
+
 /* ---- Approximations for equal roughnesses ---------------------------------------------------- */
 
-static double by_table_correlated(double alpha, double mu) {
-    return table(surface(LOBE_G2_CORRELATED, alpha, alpha), mu, 0);
+static double by_table(lobe_microsurface s, double mu) {
+    return table(s, mu, 0);
 }
 
-static double by_table_separable(double alpha, double mu) {
-    return table(surface(LOBE_G2_SEPARABLE, alpha, alpha), mu, 0);
+static double average_by_table(lobe_microsurface s) {
+    const float alpha = (float)s.alpha_x;
+    return 1 -
+           (double)lobe_albedo_prepare_f32(s.ndf, s.masking, s.g2, alpha, alpha).missing_average;
 }
 
-static double by_fit_correlated(double alpha, double mu) {
-    return 1 - lobe_albedo_fit_missing_f64(LOBE_G2_CORRELATED, alpha, mu);
+static double by_fit(lobe_microsurface s, double mu) {
+    return 1 - lobe_albedo_fit_missing_f64(s.ndf, s.g2, s.alpha_x, mu);
 }
 
-static double by_fit_separable(double alpha, double mu) {
-    return 1 - lobe_albedo_fit_missing_f64(LOBE_G2_SEPARABLE, alpha, mu);
+static double average_by_fit(lobe_microsurface s) {
+    return 1 - lobe_albedo_fit_missing_average_f64(s.ndf, s.g2, s.alpha_x);
 }
 
 static double polynomial(const double c[9], double x, double y) {
@@ -54,7 +67,7 @@ static double polynomial(const double c[9], double x, double y) {
 }
 
 /* The rational fit of MaterialX for F0 = F90 = 1. */
-static double by_materialx(double alpha, double mu) {
+static double by_materialx(lobe_microsurface s, double mu) {
     static const double a[9] = {0.10031,  -0.63301,  9.74995,  -2.02075, 29.38247,
                                 -8.24713, -26.51510, 19.98406, -5.41717};
     static const double b[9] = {0.93450,  -2.32352, 2.22823, -3.74584, 1.42450,
@@ -63,25 +76,31 @@ static double by_materialx(double alpha, double mu) {
                                 -7.50867, -36.16186, 15.85408, 33.41550};
     static const double d[9] = {1.0,      0.22797,  15.93688,  -55.82466, 13.07919,
                                 41.25882, 54.86775, 300.10923, -284.73288};
-    return polynomial(a, mu, alpha) / polynomial(c, mu, alpha) +
-           polynomial(b, mu, alpha) / polynomial(d, mu, alpha);
+    return polynomial(a, mu, s.alpha_x) / polynomial(c, mu, s.alpha_x) +
+           polynomial(b, mu, s.alpha_x) / polynomial(d, mu, s.alpha_x);
 }
 
 /* Kulla's numerical fit, second edition of the slides. */
-static double by_kulla(double x, double mu) {
+static double by_kulla(lobe_microsurface s, double mu) {
+    const double x = s.alpha_x;
     const double rough = -0.20277 + x * (2.772 + x * (-2.6175 + 0.73343 * x));
     const double angle =
         3.09507 + mu * (-9.11369 + mu * (15.8884 + mu * (-13.70343 + 4.51786 * mu)));
     return 1 - 1.4594 * x * mu * rough * angle;
 }
 
+static double average_by_kulla(lobe_microsurface s) {
+    const double x = s.alpha_x;
+    return 1 + x * (-0.113 + x * (-1.8695 + x * (2.2268 - 0.83397 * x)));
+}
+
 /* Sforza & Pellacini 2022, conductors; made for the separable G2. */
-static double by_sforza(double alpha, double u) {
+static double by_sforza(lobe_microsurface s, double u) {
     static const double n[10] = {1.0247217, -10.984229, 10.918318, 46.93353,  -54.779343,
                                  21.742077, -30.368898, 31.919222, -8.013965, -6.2407165};
     static const double d[10] = {1.0,       -10.218104, 10.955399, 44.08196,   -55.33452,
                                  21.437538, -23.744568, 33.265057, -7.9268975, -5.930959};
-    const double r = sqrt(alpha);
+    const double r = sqrt(s.alpha_x);
     const double m[10] = {1, r, u, r * r, r * u, u * u, r * r * r, r * r * u, r * u * u, u * u * u};
     double above = 0, below = 0;
     for (int k = 0; k < 10; k++) {
@@ -91,42 +110,104 @@ static double by_sforza(double alpha, double u) {
     return above / below;
 }
 
+/* `average`: NULL where none was published: then that of its E. */
 static const struct approximation {
     const char *name;
-    lobe_g2 g2;
-    double (*e)(double alpha, double mu);
+    lobe_microsurface s;
+    double (*e)(lobe_microsurface s, double mu);
+    double (*average)(lobe_microsurface s);
 } approximations[] = {
-    {"table", LOBE_G2_CORRELATED, by_table_correlated},
-    {"fit", LOBE_G2_CORRELATED, by_fit_correlated},
-    {"MaterialX", LOBE_G2_CORRELATED, by_materialx},
-    {"Kulla, slides", LOBE_G2_CORRELATED, by_kulla},
-    {"table", LOBE_G2_SEPARABLE, by_table_separable},
-    {"fit", LOBE_G2_SEPARABLE, by_fit_separable},
-    {"Sforza, Pellacini", LOBE_G2_SEPARABLE, by_sforza},
+#define SMITH(ndf, g2)                                                                             \
+    { LOBE_NDF_##ndf, LOBE_MASKING_SMITH, LOBE_G2_##g2, 0, 0 }
+#define VCAVITY(ndf, g2)                                                                           \
+    { LOBE_NDF_##ndf, LOBE_MASKING_VCAVITY, LOBE_G2_##g2, 0, 0 }
+    {"table", SMITH(GGX, CORRELATED), by_table, average_by_table},
+    {"fit", SMITH(GGX, CORRELATED), by_fit, average_by_fit},
+    {"MaterialX", SMITH(GGX, CORRELATED), by_materialx, NULL},
+    {"Kulla, slides", SMITH(GGX, CORRELATED), by_kulla, average_by_kulla},
+    {"table", SMITH(GGX, SEPARABLE), by_table, average_by_table},
+    {"fit", SMITH(GGX, SEPARABLE), by_fit, average_by_fit},
+    {"Sforza, Pellacini", SMITH(GGX, SEPARABLE), by_sforza, NULL},
+    {"table", SMITH(BECKMANN, CORRELATED), by_table, average_by_table},
+    {"fit", SMITH(BECKMANN, CORRELATED), by_fit, average_by_fit},
+    {"table", SMITH(BECKMANN, SEPARABLE), by_table, average_by_table},
+    {"fit", SMITH(BECKMANN, SEPARABLE), by_fit, average_by_fit},
+    {"table", VCAVITY(GGX, CORRELATED), by_table, average_by_table},
+    {"table", VCAVITY(GGX, SEPARABLE), by_table, average_by_table},
+    {"table", VCAVITY(BECKMANN, CORRELATED), by_table, average_by_table},
+    {"table", VCAVITY(BECKMANN, SEPARABLE), by_table, average_by_table},
 };
+enum { APPROXIMATIONS = sizeof approximations / sizeof approximations[0] };
+
+static void print_name(const struct approximation *a) {
+    printf("| %s | %s %s | %s |", a->name, lobe_ndf_name(a->s.ndf), lobe_masking_name(a->s.masking),
+           g2_names[a->s.g2]);
+}
 
 /* `least`: of the perceptual roughness and of the cosine. */
 static void measure(const struct approximation *a, double least_r, double least_mu) {
-    enum { STEPS = 48 };
-    double mean = 0, worst = 0, furnace = 0;
+    enum { STEPS = 32 };
+    double worst = 0, furnace = 0;
     for (int i = 0; i < STEPS; i++)
         for (int j = 0; j < STEPS; j++) {
             const double r = least_r * pow(1 / least_r, i / (STEPS - 1.0)), alpha = r * r;
             const double mu = least_mu * pow(1 / least_mu, j / (STEPS - 1.0));
-            const double e =
-                lobe_albedo(surface(a->g2, alpha, alpha), one, toward(mu, 0), LOBE_EFFORT_MEDIUM);
-            const double error = fabs(a->e(alpha, mu) - e);
-            mean += error / (STEPS * STEPS);
-            worst = fmax(worst, error);
-            furnace = fmax(furnace, fabs(e / a->e(alpha, mu) - 1));
+            const lobe_microsurface s = with(a->s, alpha, alpha);
+            const double e = quadrature(s, mu, 0);
+            worst = fmax(worst, fabs(a->e(s, mu) - e));
+            furnace = fmax(furnace, fabs(e / a->e(s, mu) - 1));
         }
-    printf("  %-18s %-11s mean %.1e  largest %.1e  E/approximation - 1 %.2g %%\n", a->name,
-           a->g2 == LOBE_G2_CORRELATED ? "correlated" : "separable", mean, worst, 100 * furnace);
+    printf(" %.1e | %.2g %% |", worst, 100 * furnace);
+}
+
+/* ---- White furnace ---------------------------------------------------------------------------- */
+
+static const double alphas[] = {0.001, 0.01, 0.03, 0.1, 0.3, 0.5, 0.7, 1};
+enum { ALPHAS = sizeof alphas / sizeof alphas[0] };
+
+/* 1/pi * integral of (1 - E) cosine of the approximation: even steps of t, mu = t^4. */
+static double missing_of(const struct approximation *a, lobe_microsurface s) {
+    enum { STEPS = 400 };
+    double sum = 0;
+    for (int i = 0; i < STEPS; i++) {
+        const double t = (i + 0.5) / STEPS, t3 = t * t * t;
+        sum += 8 * t3 * t3 * t / STEPS * (1 - a->e(s, t3 * t));
+    }
+    return sum;
+}
+
+/* Kulla & Conty's sum less 1, and Turquin's, largest over the cosine from 0.001. */
+static void measure_furnace(const struct approximation *a, double alpha) {
+    enum { STEPS = 31 };
+    const lobe_microsurface s = with(a->s, alpha, alpha);
+    const double lacks = missing_of(a, s);
+    const double share = a->average ? lacks / (1 - a->average(s)) : 1;
+    double kulla_conty = 0, turquin = 0;
+    for (int j = 0; j < STEPS; j++) {
+        const double mu = pow(10, -3 + 3.0 * j / (STEPS - 1)), e = quadrature(s, mu, 0);
+        kulla_conty = fmax(kulla_conty, fabs(e + (1 - a->e(s, mu)) * share - 1));
+        turquin = fmax(turquin, fabs(e / a->e(s, mu) - 1));
+    }
+    printf(" %.2g / %.2g |", 100 * kulla_conty, 100 * turquin);
+}
+
+static void print_furnaces(void) {
+    printf("white furnace: largest error of Kulla & Conty / of Turquin in percent, cosine from "
+           "0.001\n");
+    printf("| | | |");
+    for (int k = 0; k < ALPHAS; k++) printf(" %g |", alphas[k]);
+    printf("\n");
+    for (int k = 0; k < APPROXIMATIONS; k++) {
+        print_name(&approximations[k]);
+        for (int j = 0; j < ALPHAS; j++) measure_furnace(&approximations[k], alphas[j]);
+        printf("\n");
+        fflush(stdout);
+    }
 }
 
 /* ---- Unequal roughnesses --------------------------------------------------------------------- */
 
-static void measure_ratio(double ratio) {
+static void measure_ratio(lobe_microsurface kind, double ratio) {
     double by_table = 0, by_toward = 0, by_mean = 0;
     for (int i = 0; i <= 12; i++)
         for (int j = 0; j <= 12; j++)
@@ -134,17 +215,32 @@ static void measure_ratio(double ratio) {
                 const double mean = pow(10, -3 + i / 4.0), mu = pow(10, -3 + j / 4.0);
                 const double ax = 2 * mean / (1 + 1 / ratio), ay = ax / ratio;
                 const double azimuth = acos(0.0) * k / 6, c = cos(azimuth), s = sin(azimuth);
-                const double e = lobe_albedo(surface(LOBE_G2_CORRELATED, ax, ay), one,
-                                             toward(mu, azimuth), LOBE_EFFORT_MEDIUM);
+                const double e =
+                    lobe_albedo(with(kind, ax, ay), one, toward(mu, azimuth), LOBE_EFFORT_MEDIUM);
                 const double near = sqrt(ax * ax * c * c + ay * ay * s * s), middle = sqrt(ax * ay);
-                const lobe_g2 g2 = LOBE_G2_CORRELATED;
-                by_table = fmax(by_table, fabs(e / table(surface(g2, ax, ay), mu, azimuth) - 1));
-                by_toward = fmax(by_toward, fabs(e / table(surface(g2, near, near), mu, 0) - 1));
-                by_mean = fmax(by_mean, fabs(e / table(surface(g2, middle, middle), mu, 0) - 1));
+                by_table = fmax(by_table, fabs(e / table(with(kind, ax, ay), mu, azimuth) - 1));
+                by_toward = fmax(by_toward, fabs(e / table(with(kind, near, near), mu, 0) - 1));
+                by_mean = fmax(by_mean, fabs(e / table(with(kind, middle, middle), mu, 0) - 1));
             }
-    printf(
-        "  %4.1f:1  table %.2g %%  roughness toward the direction %.0f %%  sqrt(ax ay) %.0f %%\n",
-        ratio, 100 * by_table, 100 * by_toward, 100 * by_mean);
+    printf(" %.2g, %.0f, %.0f |", 100 * by_table, 100 * by_toward, 100 * by_mean);
+    fflush(stdout);
+}
+
+static void print_ratios(void) {
+    const double ratios[] = {1.1, 1.5, 2, 3, 5, 10};
+    printf("unequal roughnesses, largest error of E in percent: table, roughness toward the "
+           "direction, "
+           "sqrt(ax ay)\n");
+    for (int ndf = 0; ndf < LOBE_NDF_COUNT; ndf++)
+        for (int masking = 0; masking < LOBE_MASKING_COUNT; masking++)
+            for (int g2 = 0; g2 < 2; g2++) {
+                const lobe_microsurface kind = {(lobe_ndf)ndf, (lobe_masking)masking, (lobe_g2)g2,
+                                                0, 0};
+                printf("| %s %s | %s |", lobe_ndf_name(kind.ndf), lobe_masking_name(kind.masking),
+                       g2_names[g2]);
+                for (int k = 0; k < 6; k++) measure_ratio(kind, ratios[k]);
+                printf("\n");
+            }
 }
 
 /* ---- Colour ---------------------------------------------------------------------------------- */
@@ -177,8 +273,8 @@ static void compensated(lobe_microsurface s, lobe_reflectance f, double *kulla_c
     }
 }
 
-static void measure_colour(double alpha) {
-    const lobe_microsurface s = surface(LOBE_G2_CORRELATED, alpha, alpha);
+static void measure_colour(lobe_ndf ndf, double alpha) {
+    const lobe_microsurface s = {ndf, LOBE_MASKING_SMITH, LOBE_G2_CORRELATED, alpha, alpha};
     lobe_reflectance laws[LAWS];
     double sum[LAWS] = {0}, weights[LAWS];
     for (int k = 0; k < LAWS; k++)
@@ -189,7 +285,7 @@ static void measure_colour(double alpha) {
         for (int k = 0; k < LAWS; k++) sum[k] += weights[k];
     }
     for (int metal = 0; metal < METALS; metal++) {
-        printf("  alpha %.1f %-9s walk", alpha, metals[metal]);
+        printf("| %s | %.1f | %s |", lobe_ndf_name(ndf), alpha, metals[metal]);
         double a[BANDS], b[BANDS];
         for (int k = 0; k < BANDS; k++) {
             const double truth = sum[metal * BANDS + k] / WALKS;
@@ -198,22 +294,36 @@ static void measure_colour(double alpha) {
             a[k] = 100 * (a[k] / truth - 1);
             b[k] = 100 * (b[k] / truth - 1);
         }
-        printf("  Kulla-Conty %+.2f %+.2f %+.2f %%  Turquin %+.2f %+.2f %+.2f %%\n", a[0], a[1],
-               a[2], b[0], b[1], b[2]);
+        printf(" | %+.2f %+.2f %+.2f | %+.2f %+.2f %+.2f |\n", a[0], a[1], a[2], b[0], b[1], b[2]);
+        fflush(stdout);
     }
 }
 
-int main(void) {
-    enum { COUNT = sizeof approximations / sizeof approximations[0] };
-    printf("E, perceptual roughness from 0.04, cosine from 1/32\n");
-    for (int k = 0; k < COUNT; k++) measure(&approximations[k], 0.04, 1.0 / 32);
-    printf("E, alpha and cosine from 0.001\n");
-    for (int k = 0; k < COUNT; k++) measure(&approximations[k], sqrt(1e-3), 1e-3);
-    printf("unequal roughnesses, largest error of E\n");
-    const double ratios[] = {1.1, 1.5, 2, 3, 5, 10};
-    for (int k = 0; k < 6; k++) measure_ratio(ratios[k]);
+static void print_fits(void) {
+    printf("E: largest error and E/approximation - 1, perceptual roughness from 0.04 and cosine "
+           "from 1/32; "
+           "alpha and cosine from 0.001\n");
+    for (int k = 0; k < APPROXIMATIONS; k++) {
+        print_name(&approximations[k]);
+        measure(&approximations[k], 0.04, 1.0 / 32);
+        measure(&approximations[k], sqrt(1e-3), 1e-3);
+        printf("\n");
+        fflush(stdout);
+    }
+}
+
+static void print_colours(void) {
+    const double roughnesses[] = {0.1, 0.3, 0.5, 0.7, 1.0};
     printf("reflected share of even light, errors by band (650, 550, 450 nm)\n");
-    const double alphas[] = {0.1, 0.3, 0.5, 0.7, 1.0};
-    for (int k = 0; k < 5; k++) measure_colour(alphas[k]);
+    for (int ndf = 0; ndf < LOBE_NDF_COUNT; ndf++)
+        for (int k = 0; k < 5; k++) measure_colour((lobe_ndf)ndf, roughnesses[k]);
+}
+
+int main(int argc, char **argv) {
+    const char *part = argc > 1 ? argv[1] : "";
+    if (!*part || !strcmp(part, "fits")) print_fits();
+    if (!*part || !strcmp(part, "furnace")) print_furnaces();
+    if (!*part || !strcmp(part, "ratios")) print_ratios();
+    if (!*part || !strcmp(part, "colour")) print_colours();
     return 0;
 }
