@@ -42,6 +42,7 @@ K_FN real beckmann_published_slope(real c, real least, real u1) {
     real at_max = x_max + tan_over_root_pi * k_exp_minus_square(c);
     real target = u * (at_max - at_min) + at_min;
     real x = x_max - (R(1.0) + x_max) * k_erf(k_sqrt(-k_log(u)));
+    K_UNROLL
     for (int step = 0; step < 3; ++step) {
         real z = k_erfinv(x);
         real value = x + tan_over_root_pi * k_exp_minus_square(z) - target;

@@ -135,7 +135,8 @@ K_FN real ggx_f_cos(ggx_base g, facet_pair pair) {
     return k_select(k_and(k_is(g.valid), pair.leaves), k_usable(value), R(0.0));
 }
 
-/* The pair of a given o. Straight back (o = -i) has no half vector: it does not leave. */
+/* The pair of a given o; i.m is half the length of i + o, which keeps its digits where i.o is near -1.
+ * Straight back (o = -i) has no half vector: it does not leave. */
 K_FN facet_pair ggx_pair_of_wo(ggx_base g, v3 wo) {
     v3 h = v3_add(g.wi, wo);
     real h2 = v3_dot(h, h);
@@ -146,7 +147,7 @@ K_FN facet_pair ggx_pair_of_wo(ggx_base g, v3 wo) {
     facet_pair pair;
     pair.wo = wo;
     pair.m = v3_scale(h, inv * side);
-    pair.cos_im = v3_dot(g.wi, h) * inv * side;
+    pair.cos_im = R(0.5) * h2 * inv * side;
     pair.d = ggx_d_stretched(g, safe_h2 / k_max(v3_dot(w, w), K_TINY));
     pair.leaves = k_and(facet_leaves(wo, g.plane),
                         k_and(h.z > R(0.0), k_and(h2 > K_TINY, pair.cos_im > R(0.0))));

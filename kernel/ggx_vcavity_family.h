@@ -54,7 +54,7 @@ K_FN facet_pair ggx_vcavity_pair_of_m(ggx_vcavity_base g, v3 m) {
 }
 
 K_FN facet_eval ggx_vcavity_eval(ggx_vcavity_base g, facet_pair pair) {
-    return vcavity_eval(g.cavity, k_is(g.valid), pair);
+    return vcavity_eval(g.cavity, k_is(g.valid), pair, pair.d);
 }
 
 /* Worst error of H in float, 5 10^6 random inputs (tools/numerics/vcavity_error.c): 4.9e-07 relative at
