@@ -16,7 +16,7 @@
       "visible slopes with the printed rational fit (Heitz & d'Eon 2014); fails chi^2 tests")      \
     X(SLOPE, "slope", "visible slopes, every inversion exact (after Heitz & d'Eon 2014)")          \
     X(NEWTON_PUBLISHED, "newton-published",                                                        \
-      "visible slopes by three unguarded Newton steps (Jakob 2014); fails chi^2 tests")            \
+      "visible slopes by three unguarded Newton steps (Jakob 2014), for comparison")               \
     X(NEWTON, "newton", "visible slopes by a bracketed inversion (after Jakob 2014)")              \
     X(VCAVITY, "vcavity", "V-cavities (Heitz & d'Eon 2014, Tokuyoshi 2021)")                       \
     X(VCAVITY_VALID, "vcavity-valid",                                                              \
