@@ -118,8 +118,8 @@ static const lobe_app_option method_options[] = {
      lobe_app_ndfs},
     {"--masking", "NAME", "smith", "masking of the microsurface", lobe_app_read_choice, AT(masking),
      lobe_app_maskings},
-    {"--method", "NAME", "bounded", "how to sample reflection", lobe_app_read_choice, AT(method),
-     lobe_app_methods},
+    {"--method", "NAME", "bounded, else the best for the model", "how to sample reflection",
+     lobe_app_read_choice, AT(method), lobe_app_methods},
     {"--floor", "D", "0.1", "method horizon: how much of the density ignores shadowing, in [0, 1]",
      lobe_app_read_floor, AT(floor), NULL},
     {"--g2", "NAME", "correlated", "masking and shadowing", lobe_app_read_choice, AT(g2),
@@ -145,7 +145,7 @@ static render_values default_values(void) {
     return (render_values){.spp = r.samples,
                            .depth = (uint64_t)r.depth,
                            .size = {r.width, r.height},
-                           .method = (int)r.reflection.model.method,
+                           .method = LOBE_METHOD_COUNT,
                            .floor = r.reflection.floor,
                            .heuristic = (int)r.heuristic,
                            .material = {0.8, 0.8, 0.8, 0, 0.5}};
@@ -370,6 +370,13 @@ static lobe_app_status check(const render_values *v, const lobe_app_arguments *a
     return v->out ? check_picture(v) : LOBE_APP_DONE;
 }
 
+/* Where none is given: the renderer's own choice, if it goes with the surface. */
+static int method_of(const render_values *v) {
+    const lobe_model usual = lobe_render_default_options().reflection.model;
+    const bool fits = v->ndf == (int)usual.ndf && v->masking == (int)usual.masking;
+    return v->method == LOBE_METHOD_COUNT && fits ? (int)usual.method : v->method;
+}
+
 lobe_app_status lobe_app_render(int argc, char **argv) {
     render_values values = default_values();
     const lobe_app_group groups[] = {{"Picture", picture_options, &values},
@@ -390,7 +397,7 @@ lobe_app_status lobe_app_render(int argc, char **argv) {
     lobe_app_status status = lobe_app_parse(&command, argc, argv, &arguments);
     if (status || arguments.is_answered) return status;
     if (values.list_scenes) return list_scenes(values.json);
-    status = lobe_app_choose_model(values.ndf, values.masking, values.method, &values.model);
+    status = lobe_app_choose_model(values.ndf, values.masking, method_of(&values), &values.model);
     if (status || (status = lobe_app_check_floor(&arguments, values.model))) return status;
     if ((status = check(&values, &arguments))) return status;
     return render(&values, arguments.operand);
