@@ -291,9 +291,9 @@ lobe_app_status lobe_app_albedo(int argc, char **argv) {
         "--alpha A[,AY] [OPTIONS]",
         "Integrates: e, the albedo of one scattering with F = 1 toward a direction; e_avg, its "
         "average;\n"
-        "f_avg, the average of F; f_ms, the colour of the scatterings after the first (Hill 2018, "
-        "or "
-        "as\nwalked); furnace, what the surface reflects of even light, with F and with the chosen "
+        "f_avg, the average of F; f_ms, the colour of the later scatterings (Hill 2018; as "
+        "walked);\n"
+        "furnace, what the surface reflects of even light, with F and with the chosen "
         "compensation.",
         NULL,
         groups,

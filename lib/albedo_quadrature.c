@@ -112,7 +112,7 @@ static double value_of(const integrand *q, facet_pair pair) {
     case GGX_SMITH:
         return ggx_f_cos(q->base, pair);
     case BECKMANN_SMITH:
-        return beckmann_shadowing(q->beckmann, pair.wo) / (2.0 * q->beckmann.visible);
+        return beckmann_f_cos(q->beckmann, pair);
     default:
         return vcavity_f_cos(q->cavity, pair);
     }

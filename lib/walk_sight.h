@@ -51,7 +51,7 @@ static inline double walk_sight_toward(const walk_sight *k, v3 wo, double *cos_i
     } else {
         const beckmann_base *g = &k->beckmann.g;
         pair = beckmann_pair_of_wo(*g, wo);
-        density = beckmann_d_shifted(*g, pair) / (2.0 * g->visible);
+        density = pair.d / (2.0 * g->visible);
     }
     *cos_im = pair.cos_im;
     return pair.leaves && !k->is_blind ? k_usable(density) : 0.0;
