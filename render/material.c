@@ -66,7 +66,19 @@ surface lobe_surface_at(const surface_options *options, frame shading, vec3 geom
     return s;
 }
 
-vec3 lobe_surface_value(const surface *s, vec3 direction, float *pdf) {
+void lobe_surface_add_glass(surface *s, const surface_options *options, glass_material glass,
+                            vec3 to_viewer, int is_back) {
+    glass_options o = {options->ggx, options->multiscatter != LOBE_MULTISCATTER_NONE};
+    s->glass = lobe_glass_at(&o, glass, s->frame, s->geometric, to_viewer, is_back);
+}
+
+int lobe_surface_is_clear(const surface *s) {
+    float share = s->glass.material.share;
+    if (share > 0.0f && !lobe_glass_is_clear(&s->glass)) return 0;
+    return share >= 1.0f || (s->ggx.is_mirror && s->specular >= 1.0f);
+}
+
+static vec3 opaque_value(const surface *s, vec3 direction, float *pdf) {
     *pdf = 0.0f;
     vec3 wo = frame_to_local(&s->frame, direction);
     if (!(wo.z > 0.0f) || !(v3_dot(direction, s->geometric) > 0.0f)) return v3_all(0.0f);
@@ -78,6 +90,17 @@ vec3 lobe_surface_value(const surface *s, vec3 direction, float *pdf) {
     if (!(s->base_share_i > 0.0f)) return value;
     float share = s->base_share_i * (1.0f - lobe_coat_albedo(&s->coat, wo)) * wo.z;
     return v3_add(value, v3_scale(s->base_color, share));
+}
+
+vec3 lobe_surface_value(const surface *s, vec3 direction, float *pdf) {
+    float share = s->glass.material.share;
+    if (!(share > 0.0f)) return opaque_value(s, direction, pdf);
+    vec3 value = v3_scale(lobe_glass_value(&s->glass, direction, pdf), share);
+    if (share >= 1.0f) return value;
+    float pdf_of_rest;
+    vec3 rest = opaque_value(s, direction, &pdf_of_rest);
+    *pdf = share * *pdf + (1.0f - share) * pdf_of_rest;
+    return v3_add(value, v3_scale(rest, 1.0f - share));
 }
 
 static surface_draw rejected(int is_ggx) {
@@ -110,8 +133,32 @@ static surface_draw draw_base(const surface *s, float u1, float u2) {
     return draw;
 }
 
-surface_draw lobe_surface_draw(const surface *s, float choice, float u1, float u2) {
+static surface_draw draw_opaque(const surface *s, float choice, float u1, float u2) {
     /* what is left of the choice is a number of its own */
     if (choice < s->specular) return draw_ggx(s, u1, u2, choice / s->specular);
     return draw_base(s, u1, u2);
+}
+
+/* A draw of one of several lobes, weighed as one of all. Of a point mass nothing else can be drawn, and
+ * its share is its probability. */
+static surface_draw among_others(const surface *s, surface_draw d, float probability) {
+    if (!(d.pdf > 0.0f)) return d;
+    if (d.is_mirror) {
+        d.pdf *= probability;
+        return d;
+    }
+    vec3 value = lobe_surface_value(s, d.direction, &d.pdf);
+    d.weight = d.pdf > 0.0f ? v3_scale(value, 1.0f / d.pdf) : v3_all(0.0f);
+    return d;
+}
+
+surface_draw lobe_surface_draw(const surface *s, float choice, float u1, float u2, float side) {
+    float share = s->glass.material.share;
+    if (!(share > 0.0f)) return draw_opaque(s, choice, u1, u2);
+    if (!(choice < share))
+        return among_others(s, draw_opaque(s, (choice - share) / (1.0f - share), u1, u2),
+                            1.0f - share);
+    glass_draw g = lobe_glass_draw(&s->glass, u1, u2, choice / share, side);
+    surface_draw d = {g.direction, g.weight, g.pdf, g.is_point, 1};
+    return share < 1.0f ? among_others(s, d, share) : d;
 }

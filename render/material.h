@@ -6,12 +6,15 @@
  * has it, E_avg its exact average. A white dielectric then reflects 1 + (true E - E of the table):
  * all light, and never more, for the table bounds E from above.
  *
+ * What transmits is a share of the surface, beside all of this (glass.h).
+ *
  * What the metal scatters more than once is left out, added as a second lobe (Kulla & Conty 2017), drawn
  * like the base, or made up for by a factor (Turquin 2019): lobe/albedo.h. */
 #ifndef LOBE_RENDER_MATERIAL_H
 #define LOBE_RENDER_MATERIAL_H
 
 #include "coat.h"
+#include "glass.h"
 #include "lobe/fresnel.h"
 #include "lobe/render.h"
 
@@ -27,6 +30,7 @@ typedef struct surface {
     vec3 rest;              /* colour of the metal's second lobe: its f is rest * (1 - E(o)) */
     vec3 factor;            /* on the metal's first */
     float specular;         /* probability of drawing from the GGX */
+    glass glass;            /* its share: also the probability of drawing from it */
 } surface;
 
 typedef struct surface_draw {
@@ -47,9 +51,18 @@ typedef struct surface_options {
 surface lobe_surface_at(const surface_options *options, frame shading, vec3 geometric,
                         vec3 to_viewer, vec3 base_color, float metallic, float roughness,
                         float anisotropy);
-surface_draw lobe_surface_draw(const surface *s, float choice, float u1, float u2);
 
-/* f cos and density at a direction; 0 below either surface, and for mirrors. */
+/* Puts glass in place of a share of a surface; what was there stays as the rest. */
+void lobe_surface_add_glass(surface *s, const surface_options *options, glass_material glass,
+                            vec3 to_viewer, int is_back);
+
+/* `side` is read by glass only: reflected or transmitted. */
+surface_draw lobe_surface_draw(const surface *s, float choice, float u1, float u2, float side);
+
+/* f cos and density at a direction; 0 of point masses, and of opaque surfaces below either surface. */
 vec3 lobe_surface_value(const surface *s, vec3 direction, float *pdf);
+
+/* Nothing but point masses: no lamp can be drawn for it. */
+int lobe_surface_is_clear(const surface *s);
 
 #endif

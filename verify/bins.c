@@ -204,7 +204,7 @@ static int fill_sheet(lobe_bins *bins, filling *f, int sheet, pilot_range rest) 
 /* The error of a whole integral is at most this times the number of cells, and far less in
  * practice: the tolerance bounds what the last refinement changed. */
 static double tolerance(const lobe_verify_model *model) {
-    double least = model->has_jumps ? 1e-8 : 1e-10;
+    double least = model->has_jumps ? 4e-8 : 1e-10;
     return fmax(least, 8 * model->rounding / 256);
 }
 
