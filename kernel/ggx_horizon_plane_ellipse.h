@@ -7,61 +7,79 @@
 #ifndef K_GGX_HORIZON_PLANE_ELLIPSE_H
 #define K_GGX_HORIZON_PLANE_ELLIPSE_H
 
+#include "ggx_horizon_mirror.h"
 #include "ggx_horizon_plane.h"
-#include "ggx_horizon_point.h"
 
 K_STRUCT(ggx_horizon_plane_ellipse) {
     ggx_horizon_set set;
+    ggx_horizon_disk f;
     kint geometric; /* the ellipse is that of the geometric plane */
 };
 
-/* a b nu, from L, L - trace, det and nu */
-K_FN real ggx_horizon_plane_area(real lambda, real rest, real det, real nu) {
-    return nu * lambda / k_sqrt(k_max(lambda * (lambda + rest) + det / lambda, K_TINY));
+/* (pi a b nu)^2 up to pi^2 */
+K_FN real ggx_horizon_plane_area2(ggx_horizon_eigen e) {
+    real across = e.lambda * (e.lambda + e.sum) + e.det / e.lambda;
+    return k_square(e.nu * e.lambda) / k_max(across, K_TINY);
+}
+
+K_FN ggx_horizon_eigen ggx_horizon_plane_eigen(ggx_base g, ggx_horizon_plane_form q,
+                                               ggx_horizon_plane_terms t, real zz) {
+    ggx_horizon_plane_axis axis = ggx_horizon_plane_axis_of(g, q, t, ggx_horizon_plane_above(g));
+    ggx_horizon_eigen e;
+    e.n = axis.n;
+    e.nu = v3_dot(axis.n, g.i_std);
+    e.lambda = axis.lambda;
+    e.lambda_minus_zz = axis.lambda - zz;
+    e.sum = axis.lambda - t.trace;
+    e.det = q.c * k_square(g.ax * g.ay / g.t_i); /* of one plane it is a product */
+    return e;
+}
+
+K_FN ggx_horizon_eigen ggx_horizon_plane_choice(bool first, ggx_horizon_eigen a,
+                                                ggx_horizon_eigen b) {
+    ggx_horizon_eigen e;
+    e.n = v3_select(first, a.n, b.n);
+    e.nu = k_select(first, a.nu, b.nu);
+    e.lambda = k_select(first, a.lambda, b.lambda);
+    e.lambda_minus_zz = k_select(first, a.lambda_minus_zz, b.lambda_minus_zz);
+    e.sum = k_select(first, a.sum, b.sum);
+    e.det = k_select(first, a.det, b.det);
+    return e;
 }
 
 K_FN ggx_horizon_plane_ellipse ggx_horizon_plane_ellipse_prepare(ggx_base g) {
     ggx_useful u = ggx_useful_of(g);
-    ggx_horizon_plane_form shading = ggx_horizon_plane_shading(g);
     ggx_horizon_plane_form geometric = ggx_horizon_plane_geometric(g);
     ggx_horizon_plane_terms t = ggx_horizon_plane_terms_of(g, geometric);
-    t.det = geometric.c * k_square(g.ax * g.ay / g.t_i); /* of one plane it is a product */
-    ggx_horizon_plane_axis axis =
-        ggx_horizon_plane_axis_of(g, geometric, t, ggx_horizon_plane_above(g));
-    real det = t.det;
-    real nu = v3_dot(axis.n, g.i_std);
-    real area = ggx_horizon_plane_area(axis.lambda, axis.lambda - t.trace, det, nu);
-    real upper = ggx_horizon_plane_area(u.lambda, u.lambda_minus_r + u.cx + u.cy, u.det, u.nu);
+    ggx_horizon_form q = ggx_horizon_plane_matrix(g, geometric, t);
+    ggx_horizon_eigen lower = ggx_horizon_plane_eigen(g, geometric, t, q.zz);
+    ggx_horizon_eigen upper = ggx_horizon_eigen_of(u);
+    bool smaller = ggx_horizon_plane_area2(lower) < ggx_horizon_plane_area2(upper);
+    ggx_horizon_form plain = ggx_horizon_form_of(u);
+    q.xx = k_select(smaller, q.xx, plain.xx);
+    q.yy = k_select(smaller, q.yy, plain.yy);
+    q.zz = k_select(smaller, q.zz, plain.zz);
+    q.xy = k_select(smaller, q.xy, plain.xy);
+    q.xz = k_select(smaller, q.xz, plain.xz);
+    q.yz = k_select(smaller, q.yz, plain.yz);
+    ggx_horizon_eigen e = ggx_horizon_plane_choice(smaller, lower, upper);
     ggx_horizon_plane_ellipse s;
-    bool smaller = area < upper;
     s.geometric = k_flag(smaller);
-    ggx_horizon_plane_form q;
-    q.h = v3_select(smaller, geometric.h, shading.h);
-    q.c = k_select(smaller, geometric.c, shading.c);
-    axis.n = v3_select(smaller, axis.n, u.axis);
-    axis.lambda = k_select(smaller, axis.lambda, u.lambda);
-    t = ggx_horizon_plane_terms_of(g, q);
-    t.det = k_select(smaller, det, u.det);
-    s.set = ggx_horizon_set_of_frame(g, ggx_horizon_plane_frame(g, q, t, axis), g.i_std.z);
+    s.f = ggx_horizon_disk_of_shape(ggx_horizon_shape_of(q, e), e, g.i_std);
+    s.set = ggx_horizon_set_of(g, s.f.lambda, s.f.ab, g.i_std.z);
     return s;
 }
 
 /* As `horizon-mirror` draws. */
 K_FN facet_draw ggx_horizon_plane_ellipse_draw(ggx_horizon_plane_ellipse s, real u1, real u2,
                                                real u3) {
-    ggx_horizon_frame f = s.set.f;
-    ggx_horizon_angle e = ggx_horizon_turned(f, u1);
-    real radius = k_sqrt(u2);
-    real z = ggx_horizon_z(f, R(1.0) - u2, u2, e);
-    real k_y = radius * (f.k1 * e.c + f.k2 * e.s);
-    real side = radius * k_select(R(2.0) * u3 * z < z + k_y, R(1.0), R(-1.0));
-    v3 h = v3_combine(f.e1, side * f.a * e.c, f.e2, side * f.b * e.s, f.n, z);
-    return ggx_horizon_draw_of(s.set, ggx_pair_of_stretched(s.set.g, h), R(1.0) / f.nu);
+    v3 h = ggx_horizon_mirror_normal(s.f, u1, u2, u3).h;
+    return ggx_horizon_draw_of(s.set, ggx_pair_of_stretched(s.set.g, h), R(1.0) / s.f.nu);
 }
 
 /* Density over directions, continued to reflections that do not leave. */
 K_FN real ggx_horizon_plane_ellipse_pdf(ggx_horizon_plane_ellipse s, facet_pair pair) {
-    return s.set.pdf_scale * pair.d / s.set.f.nu;
+    return s.set.pdf_scale * pair.d / s.f.nu;
 }
 
 /* The reflection about a normal of the ellipse lies above the plane whose ellipse it is. */

@@ -4,6 +4,7 @@
 #ifndef K_GGX_HORIZON_UNIFORM_H
 #define K_GGX_HORIZON_UNIFORM_H
 
+#include "ggx_horizon_disk.h"
 #include "ggx_horizon_point.h"
 #include "ggx_horizon_shift.h"
 
@@ -12,20 +13,27 @@
 
 K_STRUCT(ggx_horizon_uniform) {
     ggx_horizon_set set;
-    real squeeze; /* of z^2 along k: (k1^2 g1 + k2^2 g2)/|k|^2 */
+    ggx_horizon_disk f;
+    ggx_horizon_back back;
+    real squeeze; /* of z^2 along k: k^T G k/|k|^2 */
     real slack;   /* squeeze - |k|^2 */
     real limit;   /* of s/z^2 */
 };
 
 K_FN ggx_horizon_uniform ggx_horizon_uniform_prepare(ggx_base g) {
     ggx_horizon_uniform s;
-    s.set = ggx_horizon_set_of(g, ggx_useful_of(g));
-    ggx_horizon_frame f = s.set.f;
-    real k1 = f.k1 * f.k1;
-    real k2 = f.k2 * f.k2;
-    real inv = R(1.0) / k_max(k1 + k2, K_TINY);
-    s.squeeze = (k1 * f.g1 + k2 * f.g2) * inv;
-    s.slack = ggx_horizon_slack(s.set, s.squeeze, k1 + k2);
+    ggx_useful u = ggx_useful_of(g);
+    ggx_horizon_eigen e = ggx_horizon_eigen_of(u);
+    ggx_horizon_shape shape = ggx_horizon_shape_of(ggx_horizon_form_of(u), e);
+    ggx_horizon_disk f = ggx_horizon_disk_of_shape(shape, e, u.i);
+    s.f = f;
+    s.back = ggx_horizon_back_of_shape(shape);
+    s.set = ggx_horizon_set_of(g, f.lambda, f.ab, u.i.z);
+    real k2 = f.k1 * f.k1 + f.k2 * f.k2;
+    real inv = R(1.0) / k_max(k2, K_TINY);
+    real along = (f.g11 * f.k1 + R(2.0) * f.g12 * f.k2) * f.k1 + f.g22 * f.k2 * f.k2;
+    s.squeeze = along * inv;
+    s.slack = ggx_horizon_slack(s.set, s.squeeze, k2);
     s.limit = GGX_HORIZON_UNIFORM_LIMIT * inv;
     return s;
 }
@@ -35,17 +43,20 @@ K_FN ggx_horizon_shift ggx_horizon_uniform_shift(ggx_horizon_uniform s, real v, 
     real inv = R(1.0) / (v + rest * s.squeeze);
     real reach = k_sqrt(k_min(rest * inv, s.limit));
     ggx_horizon_shift d;
-    d.d1 = s.set.f.k1 * reach;
-    d.d2 = s.set.f.k2 * reach;
+    d.d1 = s.f.k1 * reach;
+    d.d2 = s.f.k2 * reach;
     d.room = k_max((v + rest * s.slack) * inv, R(1.0) - GGX_HORIZON_UNIFORM_LIMIT);
     return d;
 }
 
 K_FN real ggx_horizon_uniform_pdf(ggx_horizon_uniform s, facet_pair pair) {
-    ggx_horizon_point p = ggx_horizon_point_of(s.set, pair);
-    ggx_horizon_shift d = ggx_horizon_uniform_shift(s, p.v, p.rest);
-    real p_y = ggx_horizon_shift_density(d, p.e.c, p.e.s);
-    return ggx_horizon_density(s.set, pair, ggx_horizon_spread(p_y, p.z, p.im));
+    ggx_horizon_height at = ggx_horizon_height_of(s.set, pair);
+    ggx_horizon_angle e =
+        ggx_horizon_angle_of(v3_dot(at.w, s.back.d1), v3_dot(at.w, s.back.d2));
+    ggx_horizon_shift d = ggx_horizon_uniform_shift(s, at.v, at.rest);
+    real z = ggx_horizon_disk_z(s.f, at.v, at.rest, e.c, e.s);
+    real p_y = ggx_horizon_shift_density(d, e.c, e.s);
+    return ggx_horizon_density(s.set, pair, ggx_horizon_spread(p_y, z, at.im));
 }
 
 K_FN real ggx_horizon_uniform_pdf_m(ggx_horizon_uniform s, facet_pair pair) {
@@ -57,17 +68,20 @@ K_FN real ggx_horizon_uniform_acceptance(ggx_horizon_uniform s) {
 }
 
 K_FN facet_draw ggx_horizon_uniform_draw(ggx_horizon_uniform s, real u1, real u2, real u3) {
-    ggx_horizon_angle e0 = ggx_horizon_turned(s.set.f, u1);
+    k_sincos phi = k_sincos_2pi(u1);
     real v = R(1.0) - u2;
     ggx_horizon_shift d = ggx_horizon_uniform_shift(s, v, u2);
-    real f1 = e0.c + d.d1;
-    real f2 = e0.s + d.d2;
+    real f1 = phi.c + d.d1;
+    real f2 = phi.s + d.d2;
     real inv = R(1.0) / k_sqrt(f1 * f1 + f2 * f2);
-    ggx_horizon_angle e;
-    e.c = f1 * inv;
-    e.s = f2 * inv;
-    real p_y = ggx_horizon_shift_density(d, e.c, e.s);
-    ggx_horizon_arrival to = ggx_horizon_arrive(s.set, v, u2, e);
+    real c = f1 * inv;
+    real sine = f2 * inv;
+    real p_y = ggx_horizon_shift_density(d, c, sine);
+    real z = ggx_horizon_disk_z(s.f, v, u2, c, sine);
+    real radius = k_sqrt(u2);
+    v3 h = v3_combine(s.f.f1, radius * c, s.f.f2, radius * sine, s.f.n, z);
+    real im = s.f.nu * (z + radius * (s.f.k1 * c + s.f.k2 * sine));
+    ggx_horizon_arrival to = ggx_horizon_arrive(s.set, h, z, im, v);
     return ggx_horizon_draw_of(s.set, to.pair, ggx_horizon_spread(p_y, to.z, to.im));
 }
 

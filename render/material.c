@@ -66,18 +66,28 @@ surface lobe_surface_at(const surface_options *options, frame shading, vec3 geom
     return s;
 }
 
-vec3 lobe_surface_value(const surface *s, vec3 direction, float *pdf) {
-    *pdf = 0.0f;
-    vec3 wo = frame_to_local(&s->frame, direction);
-    if (!(wo.z > 0.0f) || !(v3_dot(direction, s->geometric) > 0.0f)) return v3_all(0.0f);
-    lobe_reflection_eval_f32 e = lobe_reflection_eval_wo_f32(&s->ggx, wo);
-    vec3 value = v3_scale(fresnel(s, e.cos_im), e.f_cos);
-    *pdf = s->specular * e.pdf + (1.0f - s->specular) * wo.z / LOBE_PI;
+/* What the GGX alone makes of a direction. */
+typedef struct ggx_value {
+    float f_cos, pdf, cos_im;
+} ggx_value;
+
+/* All lobes, and the density of drawing any of them. */
+static vec3 value_of(const surface *s, vec3 wo, ggx_value ggx, float *pdf) {
+    vec3 value = v3_scale(fresnel(s, ggx.cos_im), ggx.f_cos);
+    *pdf = s->specular * ggx.pdf + (1.0f - s->specular) * wo.z / LOBE_PI;
     if (v3_max(s->rest) > 0.0f)
         value = v3_add(value, v3_scale(s->rest, lobe_albedo_missing_f32(&s->albedo, wo) * wo.z));
     if (!(s->base_share_i > 0.0f)) return value;
     float share = s->base_share_i * (1.0f - lobe_coat_albedo(&s->coat, wo)) * wo.z;
     return v3_add(value, v3_scale(s->base_color, share));
+}
+
+vec3 lobe_surface_value(const surface *s, vec3 direction, float *pdf) {
+    *pdf = 0.0f;
+    vec3 wo = frame_to_local(&s->frame, direction);
+    if (!(wo.z > 0.0f) || !(v3_dot(direction, s->geometric) > 0.0f)) return v3_all(0.0f);
+    lobe_reflection_eval_f32 e = lobe_reflection_eval_wo_f32(&s->ggx, wo);
+    return value_of(s, wo, (ggx_value){e.f_cos, e.pdf, e.cos_im}, pdf);
 }
 
 static surface_draw rejected(int is_ggx) {
@@ -95,8 +105,9 @@ static surface_draw draw_ggx(const surface *s, float u1, float u2, float u3) {
         draw.weight = v3_scale(fresnel(s, d.cos_im), d.weight / s->specular);
         return draw;
     }
-    vec3 value = lobe_surface_value(s, direction, &draw.pdf);
-    draw.weight = draw.pdf > 0.0f ? v3_scale(value, 1.0f / draw.pdf) : v3_all(0.0f);
+    /* the draw knows the GGX's value and density: nothing is prepared or evaluated again */
+    vec3 value = value_of(s, d.wo, (ggx_value){d.weight * d.pdf, d.pdf, d.cos_im}, &draw.pdf);
+    draw.weight = v3_scale(value, 1.0f / draw.pdf);
     return draw;
 }
 
