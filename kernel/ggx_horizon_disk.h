@@ -123,8 +123,8 @@ K_FN ggx_horizon_disk ggx_horizon_disk_of(ggx_useful u) {
 }
 
 /* z of a point with v = 1 - s, y = sqrt(s) e */
-K_FN real ggx_horizon_disk_z(ggx_horizon_disk f, real v, real s, real c, real sine) {
-    return k_sqrt(v + s * ((f.g11 * c + R(2.0) * f.g12 * sine) * c + f.g22 * sine * sine));
+K_FN real ggx_horizon_disk_z(ggx_horizon_disk f, real v, real s, ggx_horizon_angle e) {
+    return k_sqrt(v + s * ((f.g11 * e.c + R(2.0) * f.g12 * e.s) * e.c + f.g22 * e.s * e.s));
 }
 
 #endif

@@ -24,13 +24,16 @@ K_STRUCT(ggx_horizon_mirrored) {
 
 K_FN ggx_horizon_mirrored ggx_horizon_mirror_normal(ggx_horizon_disk f, real u1, real u2, real u3) {
     k_sincos phi = k_sincos_2pi(u1);
+    ggx_horizon_angle e;
+    e.c = phi.c;
+    e.s = phi.s;
     real radius = k_sqrt(u2);
-    real z = ggx_horizon_disk_z(f, R(1.0) - u2, u2, phi.c, phi.s);
-    real k_y = radius * (f.k1 * phi.c + f.k2 * phi.s);
+    real z = ggx_horizon_disk_z(f, R(1.0) - u2, u2, e);
+    real k_y = radius * (f.k1 * e.c + f.k2 * e.s);
     real side = k_select(R(2.0) * u3 * z < z + k_y, R(1.0), R(-1.0));
     real along = side * radius;
     ggx_horizon_mirrored m;
-    m.h = v3_combine(f.f1, along * phi.c, f.f2, along * phi.s, f.n, z);
+    m.h = v3_combine(f.f1, along * e.c, f.f2, along * e.s, f.n, z);
     m.z = z;
     m.im = f.nu * (z + side * k_y);
     return m;

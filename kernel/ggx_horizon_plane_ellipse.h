@@ -1,14 +1,10 @@
-/* kernel/ggx_horizon_plane_ellipse.h: two planes without a table: exactly uniform over the smaller of
- * their two ellipses; what the other plane cuts off is rejected. `horizon-mirror` where the geometric
- * plane is not the shading plane.
- *
- * With 1/(a b)^2 = (1 + l1/L)(1 + l2/L) the area pi a b nu follows from L, trace and determinant. The
- * ellipse of the geometric plane may reach below m_z = 0: those normals do not exist, D = 0 there. */
+/* kernel/ggx_horizon_plane_ellipse.h: `horizon-mirror` where the geometric plane is not the shading plane:
+ * exactly uniform over the smaller ellipse (kernel/ggx_horizon_plane_smaller.h). */
 #ifndef K_GGX_HORIZON_PLANE_ELLIPSE_H
 #define K_GGX_HORIZON_PLANE_ELLIPSE_H
 
 #include "ggx_horizon_mirror.h"
-#include "ggx_horizon_plane.h"
+#include "ggx_horizon_plane_smaller.h"
 
 K_STRUCT(ggx_horizon_plane_ellipse) {
     ggx_horizon_set set;
@@ -16,56 +12,11 @@ K_STRUCT(ggx_horizon_plane_ellipse) {
     kint geometric; /* the ellipse is that of the geometric plane */
 };
 
-/* (pi a b nu)^2 up to pi^2 */
-K_FN real ggx_horizon_plane_area2(ggx_horizon_eigen e) {
-    real across = e.lambda * (e.lambda + e.sum) + e.det / e.lambda;
-    return k_square(e.nu * e.lambda) / k_max(across, K_TINY);
-}
-
-K_FN ggx_horizon_eigen ggx_horizon_plane_eigen(ggx_base g, ggx_horizon_plane_form q,
-                                               ggx_horizon_plane_terms t, real zz) {
-    ggx_horizon_plane_axis axis = ggx_horizon_plane_axis_of(g, q, t, ggx_horizon_plane_above(g));
-    ggx_horizon_eigen e;
-    e.n = axis.n;
-    e.nu = v3_dot(axis.n, g.i_std);
-    e.lambda = axis.lambda;
-    e.lambda_minus_zz = axis.lambda - zz;
-    e.sum = axis.lambda - t.trace;
-    e.det = q.c * k_square(g.ax * g.ay / g.t_i); /* of one plane it is a product */
-    return e;
-}
-
-K_FN ggx_horizon_eigen ggx_horizon_plane_choice(bool first, ggx_horizon_eigen a,
-                                                ggx_horizon_eigen b) {
-    ggx_horizon_eigen e;
-    e.n = v3_select(first, a.n, b.n);
-    e.nu = k_select(first, a.nu, b.nu);
-    e.lambda = k_select(first, a.lambda, b.lambda);
-    e.lambda_minus_zz = k_select(first, a.lambda_minus_zz, b.lambda_minus_zz);
-    e.sum = k_select(first, a.sum, b.sum);
-    e.det = k_select(first, a.det, b.det);
-    return e;
-}
-
 K_FN ggx_horizon_plane_ellipse ggx_horizon_plane_ellipse_prepare(ggx_base g) {
-    ggx_useful u = ggx_useful_of(g);
-    ggx_horizon_plane_form geometric = ggx_horizon_plane_geometric(g);
-    ggx_horizon_plane_terms t = ggx_horizon_plane_terms_of(g, geometric);
-    ggx_horizon_form q = ggx_horizon_plane_matrix(g, geometric, t);
-    ggx_horizon_eigen lower = ggx_horizon_plane_eigen(g, geometric, t, q.zz);
-    ggx_horizon_eigen upper = ggx_horizon_eigen_of(u);
-    bool smaller = ggx_horizon_plane_area2(lower) < ggx_horizon_plane_area2(upper);
-    ggx_horizon_form plain = ggx_horizon_form_of(u);
-    q.xx = k_select(smaller, q.xx, plain.xx);
-    q.yy = k_select(smaller, q.yy, plain.yy);
-    q.zz = k_select(smaller, q.zz, plain.zz);
-    q.xy = k_select(smaller, q.xy, plain.xy);
-    q.xz = k_select(smaller, q.xz, plain.xz);
-    q.yz = k_select(smaller, q.yz, plain.yz);
-    ggx_horizon_eigen e = ggx_horizon_plane_choice(smaller, lower, upper);
+    ggx_horizon_plane_smaller smaller = ggx_horizon_plane_smaller_of(g);
     ggx_horizon_plane_ellipse s;
-    s.geometric = k_flag(smaller);
-    s.f = ggx_horizon_disk_of_shape(ggx_horizon_shape_of(q, e), e, g.i_std);
+    s.geometric = k_flag(smaller.geometric);
+    s.f = ggx_horizon_disk_of_shape(ggx_horizon_shape_of(smaller.q, smaller.e), smaller.e, g.i_std);
     s.set = ggx_horizon_set_of(g, s.f.lambda, s.f.ab, g.i_std.z);
     return s;
 }
@@ -82,12 +33,11 @@ K_FN real ggx_horizon_plane_ellipse_pdf(ggx_horizon_plane_ellipse s, facet_pair 
     return s.set.pdf_scale * pair.d / s.f.nu;
 }
 
-/* The reflection about a normal of the ellipse lies above the plane whose ellipse it is. */
 K_FN real ggx_horizon_plane_ellipse_pdf_m(ggx_horizon_plane_ellipse s, facet_pair pair) {
-    bool above = k_select(k_is(s.geometric), v3_dot(pair.wo, s.set.g.plane), pair.wo.z) > R(0.0);
-    bool inside = k_and(pair.cos_im > R(0.0), k_or(above, pair.leaves));
+    real height = ggx_horizon_plane_height(s.set.g, k_is(s.geometric), pair.wo);
     real pdf = ggx_horizon_plane_ellipse_pdf(s, pair);
-    return k_select(inside, ggx_horizon_density_m(pair, pdf), R(0.0));
+    return k_select(ggx_horizon_plane_draws(pair, height), ggx_horizon_density_m(pair, pdf),
+                    R(0.0));
 }
 
 /* The smaller ellipse has an area in closed form, what both planes leave has not. */

@@ -114,7 +114,8 @@ K_FN bool ggx_horizon_holds(facet_pair pair) {
     return k_and(pair.wo.z > R(0.0), k_and(pair.m.z > R(0.0), pair.cos_im > R(0.0)));
 }
 
-/* How far inside the ellipse a pair lies; without meaning where nothing is drawn. */
+/* How far inside the ellipse a pair lies; without meaning where nothing is drawn. above: wo over the plane
+ * whose ellipse it is. */
 K_STRUCT(ggx_horizon_height) {
     v3 w;    /* A^-1 m */
     real v;
@@ -122,13 +123,13 @@ K_STRUCT(ggx_horizon_height) {
     real im;
 };
 
-K_FN ggx_horizon_height ggx_horizon_height_of(ggx_horizon_set s, facet_pair pair) {
+K_FN ggx_horizon_height ggx_horizon_height_of(ggx_horizon_set s, facet_pair pair, real above) {
     ggx_horizon_height p;
     p.w = v3_of(pair.m.x * s.g.inv_ax, pair.m.y * s.g.inv_ay, pair.m.z);
     real am2 = R(1.0) / k_max(v3_dot(p.w, p.w), K_TINY);
     real am = k_sqrt(am2);
     p.im = pair.cos_im * am / s.g.t_i;
-    real from_wo = pair.wo.z * am2 / s.rise;
+    real from_wo = above * am2 / s.rise;
     real from_m = R(2.0) * p.im * pair.m.z * am / s.lambda;
     /* not 0: it is divided by, and cubed */
     p.v = k_min(k_max(k_select(k_is(s.front), from_wo, from_m), R(1e-5) * K_EPS), R(1.0));
@@ -158,7 +159,7 @@ K_STRUCT(ggx_horizon_point) {
 
 K_FN ggx_horizon_point ggx_horizon_point_of(ggx_horizon_set s, ggx_horizon_frame f,
                                             facet_pair pair) {
-    ggx_horizon_height at = ggx_horizon_height_of(s, pair);
+    ggx_horizon_height at = ggx_horizon_height_of(s, pair, pair.wo.z);
     ggx_horizon_point p;
     p.v = at.v;
     p.rest = at.rest;

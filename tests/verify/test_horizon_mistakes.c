@@ -67,12 +67,12 @@ static double density_of_unclamped_shift(const lobe_verify_state *state, const d
     ggx_base g = base_of(state, 1);
     facet_pair pair = pair_of(g, wo);
     ggx_horizon_uniform s = ggx_horizon_uniform_prepare(g);
-    ggx_horizon_height at = ggx_horizon_height_of(s.set, pair);
+    ggx_horizon_height at = ggx_horizon_height_of(s.set, pair, pair.wo.z);
     ggx_horizon_angle e =
         ggx_horizon_angle_of(v3_dot(at.w, s.back.d1), v3_dot(at.w, s.back.d2));
     double inv = 1 / (at.v + at.rest * s.squeeze), reach = sqrt(at.rest * inv);
     ggx_horizon_shift d = {s.f.k1 * reach, s.f.k2 * reach, (at.v + at.rest * s.slack) * inv};
-    double z = ggx_horizon_disk_z(s.f, at.v, at.rest, e.c, e.s);
+    double z = ggx_horizon_disk_z(s.f, at.v, at.rest, e);
     double spread = ggx_horizon_spread(ggx_horizon_shift_density(d, e.c, e.s), z, at.im);
     return usable(pair, ggx_horizon_density(s.set, pair, spread));
 }
