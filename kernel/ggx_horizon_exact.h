@@ -111,7 +111,7 @@ K_FN facet_draw ggx_horizon_exact_draw(ggx_horizon_exact s, real u1, real u2, re
     K_UNROLL
     for (int step = 0; step < GGX_HORIZON_EXACT_STEPS; ++step)
         ahead = ggx_horizon_exact_step(at, theta, ahead);
-    ggx_horizon_arrival to = 
+    ggx_horizon_arrival to =
         ggx_horizon_arrive_in(s.set, f, v, u2, ggx_horizon_ahead(theta, ahead));
     return ggx_horizon_draw_of(s.set, to.pair, R(1.0) / f.nu);
 }

@@ -117,7 +117,7 @@ K_FN bool ggx_horizon_holds(facet_pair pair) {
 /* How far inside the ellipse a pair lies; without meaning where nothing is drawn. above: wo over the plane
  * whose ellipse it is. */
 K_STRUCT(ggx_horizon_height) {
-    v3 w;    /* A^-1 m */
+    v3 w; /* A^-1 m */
     real v;
     real rest; /* 1 - v */
     real im;

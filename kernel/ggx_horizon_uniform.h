@@ -21,8 +21,8 @@ K_STRUCT(ggx_horizon_uniform) {
 };
 
 /* In the ellipse of a form; i_z > 0 but for the shading plane seen from behind. */
-K_FN ggx_horizon_uniform ggx_horizon_uniform_of(ggx_base g, ggx_horizon_form q,
-                                                ggx_horizon_eigen e, v3 i, real i_z) {
+K_FN ggx_horizon_uniform ggx_horizon_uniform_of(ggx_base g, ggx_horizon_form q, ggx_horizon_eigen e,
+                                                v3 i, real i_z) {
     ggx_horizon_shape shape = ggx_horizon_shape_of(q, e);
     ggx_horizon_disk f = ggx_horizon_disk_of_shape(shape, e, i);
     real k_k = f.k1 * f.k1 + f.k2 * f.k2;

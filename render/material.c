@@ -45,6 +45,21 @@ static float specular_probability(const surface *s, float coat_i, float rest) {
     return clampf(specular / fmaxf(specular + diffuse, 1e-6f), 0.1f, 1.0f);
 }
 
+/* A metal smoother than this rejects so little that the picture does not show it. */
+#define SMOOTH_ALPHA 0.1f
+/* From this tilt of the shading normal on, the smaller of two ellipses rejects less than the one of
+ * `horizon`, and a table of nodes costs more than it saves. */
+#define TILT_COSINE 0.985f
+
+/* LOBE_METHOD_COUNT is a choice by surface: the least error at equal time over the scenes of
+ * docs/horizon-results.md. The coat is a small part of a dielectric's light: the cheapest draw is enough.
+ * Sampler and density share what is prepared here. */
+static lobe_method method_of(lobe_method asked, float metallic, float alpha, float tilt_cosine) {
+    if (asked != LOBE_METHOD_COUNT) return asked;
+    if (metallic < 0.5f || alpha < SMOOTH_ALPHA) return LOBE_METHOD_BOUNDED;
+    return tilt_cosine < TILT_COSINE ? LOBE_METHOD_HORIZON_UNIFORM : LOBE_METHOD_HORIZON;
+}
+
 surface lobe_surface_at(const surface_options *options, frame shading, vec3 geometric,
                         vec3 to_viewer, vec3 base_color, float metallic, float roughness,
                         float anisotropy) {
@@ -52,9 +67,11 @@ surface lobe_surface_at(const surface_options *options, frame shading, vec3 geom
         .frame = shading, .geometric = geometric, .base_color = base_color, .metallic = metallic};
     lobe_vec3_f32 wi = frame_to_local(&shading, to_viewer);
     float alpha = roughness * roughness;
-    s.ggx = lobe_reflection_prepare_above_f32(options->ggx, wi, alpha * (1.0f + anisotropy),
-                                              alpha * (1.0f - anisotropy),
-                                              frame_to_local(&shading, geometric));
+    vec3 plane = frame_to_local(&shading, geometric);
+    lobe_reflection_options ggx = options->ggx;
+    ggx.model.method = method_of(ggx.model.method, metallic, alpha, plane.z);
+    s.ggx = lobe_reflection_prepare_above_f32(ggx, wi, alpha * (1.0f + anisotropy),
+                                              alpha * (1.0f - anisotropy), plane);
     float rest = compensate(&s, options->multiscatter, &options->ggx);
     s.specular = rest > 0.0f ? specular_probability(&s, 0.0f, rest) : 1.0f;
     if (metallic >= 1.0f) return s;

@@ -6,11 +6,11 @@ Writes docs/horizon-results.md and beside it horizon-samples.svg, horizon-time.s
 build/furnace_variance (make horizon-results makes both) and NumPy; without ../shared/scenes only the built-in
 scenes are measured. About twelve minutes on two idle cores; --quick: four, --full: forty.
 
-Error of a picture: its squared difference from the mean over all seeds and all methods, which have the same
-expectation (render.agreement): no method is favoured by a reference of its own. Relative (relMSE): divided
-pixel by pixel by the square of that mean; absolute (RMSE): the root of the mean over the picture. Both
-without the pixels of the top 0.1 % of all methods together, the same for all. An error bar is one standard
-error, from the spread over the seeds.
+Error of a picture: the variance between pictures of different seeds, pixel by pixel. All methods have the
+same expectation (render.agreement), so no reference is needed, and none can be favoured by one. Relative
+(relMSE): divided pixel by pixel by the square of the mean over all methods; absolute (RMSE): the root of the
+mean over the picture. Both without the pixels of the top 0.1 % of all methods together, the same for all.
+An error bar is one standard error, from the spread over the seeds.
 """
 import argparse
 import fnmatch
@@ -27,12 +27,14 @@ SHARED = ROOT.parent / "shared/scenes"
 METHODS = [("ellipsoid", []), ("caps", []), ("bounded", []), ("optimal", []),
            ("horizon-mirror", []), ("horizon-uniform", []), ("horizon", ["--floor", "0.5"]),
            ("horizon", ["--floor", "0.25"]), ("horizon", ["--floor", "0.1"]),
-           ("horizon", ["--floor", "0"])]
+           ("horizon", ["--floor", "0"]), (None, [])]
 BASE = ("bounded", [])
 
 
 def title(method):
     name, options = method
+    if name is None:
+        return "default"
     return f"{name} {options[1]}" if options else name
 
 
@@ -136,25 +138,29 @@ def read_pfm(path):
 def render(arguments, method, seed, size, spp, folder):
     """The picture, CPU seconds and rejected share."""
     name, options = method
+    chosen = [] if name is None else ["--method", name]
     out = folder / "picture.pfm"
     run = subprocess.run([LOBE, "render", *arguments, "-o", out, "--size", size, "--spp", str(spp),
-                          "--seed", str(seed), "--method", name, *options, "--json"],
+                          "--seed", str(seed), *chosen, *options, "--json"],
                          check=True, capture_output=True, text=True)
     said = json.loads(run.stdout)
     return read_pfm(out), said["cpu_seconds"], said["rejected_share"]
 
 
-def kept_pixels(errors):
-    """Those outside the top 0.1 % of the error of all pictures together."""
+def variances(pictures, scale):
+    """Of each seed its share of the unbiased variance, pixel by pixel."""
+    mean = numpy.mean(pictures, axis=0)
+    return [(p - mean) ** 2 / scale * (len(pictures) / (len(pictures) - 1)) for p in pictures]
+
+
+def summary(pictures, scale):
+    """For each method the mean over pixels, and its standard error from the spread over seeds."""
+    errors = {n: [v.mean(axis=2) for v in variances(p, scale)] for n, p in pictures.items()}
     total = sum(e for list_ in errors.values() for e in list_)
-    return total <= numpy.quantile(total, 0.999)
-
-
-def summary(errors, kept):
-    """Mean and standard error over the seeds."""
-    values = [e[kept].mean() for e in errors]
-    return {"mean": float(numpy.mean(values)),
-            "error": float(numpy.std(values, ddof=1) / numpy.sqrt(len(values)))}
+    kept = total <= numpy.quantile(total, 0.999)
+    values = {n: [e[kept].mean() for e in list_] for n, list_ in errors.items()}
+    return {n: (float(numpy.mean(v)), float(numpy.std(v, ddof=1) / numpy.sqrt(len(v))))
+            for n, v in values.items()}
 
 
 def measure(arguments, size, spp, seeds, folder):
@@ -169,12 +175,9 @@ def measure(arguments, size, spp, seeds, folder):
             seconds[title(method)].append(time)
             rejected[title(method)] = share
     mean = numpy.mean([p for list_ in pictures.values() for p in list_], axis=0)
-    scale = mean ** 2 + 1e-4 * numpy.mean(mean) ** 2
-    absolute = {n: [((p - mean) ** 2).mean(axis=2) for p in list_] for n, list_ in pictures.items()}
-    relative = {n: [((p - mean) ** 2 / scale).mean(axis=2) for p in list_]
-                for n, list_ in pictures.items()}
-    kept, kept_absolute = kept_pixels(relative), kept_pixels(absolute)
-    return {n: {"relmse": summary(relative[n], kept), "mse": summary(absolute[n], kept_absolute),
+    relative = summary(pictures, mean ** 2 + 1e-4 * numpy.mean(mean) ** 2)
+    absolute = summary(pictures, 1.0)
+    return {n: {"relmse": relative[n], "mse": absolute[n],
                 "seconds": float(numpy.median(seconds[n])), "rejected": rejected[n]}
             for n in pictures}
 
@@ -192,12 +195,12 @@ def table(head, rows):
 def gain(rows, name, with_time):
     """By how much less error than the base, and its standard error."""
     base, row = rows[title(BASE)], rows[name]
-    value = base["relmse"]["mean"] / row["relmse"]["mean"]
+    value = base["relmse"][0] / row["relmse"][0]
     if with_time:
         value *= base["seconds"] / row["seconds"]
     if name == title(BASE):
         return 1.0, 0.0
-    spread = [r["relmse"]["error"] / r["relmse"]["mean"] for r in (base, row)]
+    spread = [r["relmse"][1] / r["relmse"][0] for r in (base, row)]
     return value, value * float(numpy.hypot(*spread))
 
 
@@ -320,10 +323,10 @@ The same, times CPU seconds of `bounded` over those of the method.
 
 relMSE, in thousandths:
 
-{value_table(results, lambda r: f"{1e3 * r['relmse']['mean']:.3g}")}
+{value_table(results, lambda r: f"{1e3 * r['relmse'][0]:.3g}")}
 RMSE:
 
-{value_table(results, lambda r: f"{r['mse']['mean'] ** 0.5:.3g}")}
+{value_table(results, lambda r: f"{r['mse'][0] ** 0.5:.3g}")}
 ## CPU seconds of a picture
 
 {value_table(results, lambda r: f"{r['seconds']:.3f}")}

@@ -14,9 +14,10 @@
 
 static const struct {
     double alpha[2], theta, phi, tilt, turn;
-} cases[] = {{{0.5, 0.5}, 40, 0, 20, 90}, {{0.3, 0.8}, 70, 60, 35, 60},  {{1, 1}, 10, 0, 35, 180},
-             {{0.3, 0.8}, 60, 30, 25, 0}, {{0.3, 0.8}, 93, 30, 25, 40},  {{0.6, 0.6}, 105, 0, 40, 10},
-             {{2, 0.4}, 50, 10, 50, 300}, {{0.4, 1.5}, 100, 250, 60, 240}};
+} cases[] = {{{0.5, 0.5}, 40, 0, 20, 90},  {{0.3, 0.8}, 70, 60, 35, 60},
+             {{1, 1}, 10, 0, 35, 180},     {{0.3, 0.8}, 60, 30, 25, 0},
+             {{0.3, 0.8}, 93, 30, 25, 40}, {{0.6, 0.6}, 105, 0, 40, 10},
+             {{2, 0.4}, 50, 10, 50, 300},  {{0.4, 1.5}, 100, 250, 60, 240}};
 enum { CASES = sizeof cases / sizeof *cases, DRAWS = 200000 };
 
 static ggx_base base_of(int k) {
@@ -49,8 +50,7 @@ static double integrate(const ggx_horizon_plane_uniform *s, ggx_base g, double *
             facet_draw d = ggx_caps_draw(caps, u1, u2, 0);
             if (d.pdf <= 0) continue;
             facet_pair pair = ggx_pair_of_wo(g, d.wo);
-            mass[bin_of(d.wo)] +=
-                ggx_horizon_plane_uniform_pdf(*s, pair) / d.pdf / ((double)N * N);
+            mass[bin_of(d.wo)] += ggx_horizon_plane_uniform_pdf(*s, pair) / d.pdf / ((double)N * N);
             value += d.weight / ((double)N * N);
         }
     return value;

@@ -68,8 +68,7 @@ static double density_of_unclamped_shift(const lobe_verify_state *state, const d
     facet_pair pair = pair_of(g, wo);
     ggx_horizon_uniform s = ggx_horizon_uniform_prepare(g);
     ggx_horizon_height at = ggx_horizon_height_of(s.set, pair, pair.wo.z);
-    ggx_horizon_angle e =
-        ggx_horizon_angle_of(v3_dot(at.w, s.back.d1), v3_dot(at.w, s.back.d2));
+    ggx_horizon_angle e = ggx_horizon_angle_of(v3_dot(at.w, s.back.d1), v3_dot(at.w, s.back.d2));
     double inv = 1 / (at.v + at.rest * s.squeeze), reach = sqrt(at.rest * inv);
     ggx_horizon_shift d = {s.f.k1 * reach, s.f.k2 * reach, (at.v + at.rest * s.slack) * inv};
     double z = ggx_horizon_disk_z(s.f, at.v, at.rest, e);
@@ -91,8 +90,8 @@ static const mistake MISTAKES[] = {
      40, 30},
     {"nu left out, chi^2", density_without_nu, 1, "chi2", LOBE_METHOD_HORIZON_EXACT, 0.4, 0.7, 40,
      30},
-    {"nu left out, the draws not", density_without_nu, 0, "density", LOBE_METHOD_HORIZON_MIRROR, 0.4,
-     0.7, 40, 30},
+    {"nu left out, the draws not", density_without_nu, 0, "density", LOBE_METHOD_HORIZON_MIRROR,
+     0.4, 0.7, 40, 30},
     {"axes exchanged", density_of_exchanged_axes, 1, "chi2", LOBE_METHOD_HORIZON, 0.3, 0.9, 50, 30},
     {"axes exchanged, integral", density_of_exchanged_axes, 1, "normalization", LOBE_METHOD_HORIZON,
      0.3, 0.9, 50, 30},
