@@ -13,6 +13,10 @@
 
 #include "ggx_horizon_frame.h"
 
+/* The density stays what it is there on the last of the way to the horizon, where one draw in 10^12
+ * ends: v is divided by, and cubed, in float. */
+#define GGX_HORIZON_V_MIN R(1e-12)
+
 K_STRUCT(ggx_horizon_set) {
     ggx_base g;
     kint front;     /* i_z > 0 */
@@ -131,8 +135,7 @@ K_FN ggx_horizon_height ggx_horizon_height_of(ggx_horizon_set s, facet_pair pair
     p.im = pair.cos_im * am / s.g.t_i;
     real from_wo = above * am2 / s.rise;
     real from_m = R(2.0) * p.im * pair.m.z * am / s.lambda;
-    /* not 0: it is divided by, and cubed */
-    p.v = k_min(k_max(k_select(k_is(s.front), from_wo, from_m), R(1e-5) * K_EPS), R(1.0));
+    p.v = k_min(k_max(k_select(k_is(s.front), from_wo, from_m), GGX_HORIZON_V_MIN), R(1.0));
     p.rest = R(1.0) - p.v;
     return p;
 }

@@ -221,9 +221,9 @@ static void limits_where_the_ellipse_is_a_circle(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(no_folds), cmocka_unit_test(no_jumps),
-                                       cmocka_unit_test(
-                                           the_ellipse_is_a_circle_in_two_directions_only),
-                                       cmocka_unit_test(limits_where_the_ellipse_is_a_circle)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(no_folds), cmocka_unit_test(no_jumps),
+        cmocka_unit_test(the_ellipse_is_a_circle_in_two_directions_only),
+        cmocka_unit_test(limits_where_the_ellipse_is_a_circle)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
