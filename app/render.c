@@ -118,9 +118,9 @@ static const lobe_app_option method_options[] = {
      lobe_app_ndfs},
     {"--masking", "NAME", "smith", "masking of the microsurface", lobe_app_read_choice, AT(masking),
      lobe_app_maskings},
-    {"--method", "NAME", "bounded", "how to sample reflection", lobe_app_read_choice, AT(method),
-     lobe_app_methods},
-    {"--floor", "D", "0.1", "method horizon: how much of the density ignores shadowing, in [0, 1]",
+    {"--method", "NAME", "bounded caps for dielectrics, horizon sampling for metals",
+     "how to sample reflection", lobe_app_read_choice, AT(method), lobe_app_methods},
+    {"--floor", "D", "0.25", "method horizon: how much of the density ignores shadowing, in [0, 1]",
      lobe_app_read_floor, AT(floor), NULL},
     {"--g2", "NAME", "correlated", "masking and shadowing", lobe_app_read_choice, AT(g2),
      lobe_app_g2s},
@@ -225,9 +225,9 @@ static json_t *json_statistics(const render_values *v, const char *scene,
                                const lobe_render_statistics *st) {
     return json_pack(
         "{so ss si si si sI si sI sI sI sI so so so}", "scene", lobe_app_json_text(scene), "method",
-        lobe_method_name(v->model.method), "width", v->size.width, "height", v->size.height, "spp",
-        (int)st->pixel_samples, "samples", (json_int_t)st->samples, "threads", st->threads, "rays",
-        (json_int_t)st->rays, "draws", (json_int_t)st->ggx_draws, "rejected",
+        lobe_render_method_name(v->model.method), "width", v->size.width, "height", v->size.height,
+        "spp", (int)st->pixel_samples, "samples", (json_int_t)st->samples, "threads", st->threads,
+        "rays", (json_int_t)st->rays, "draws", (json_int_t)st->ggx_draws, "rejected",
         (json_int_t)st->ggx_rejected, "dropped", (json_int_t)st->dropped_samples, "rejected_share",
         lobe_app_json_number(st->rejected_share), "seconds", lobe_app_json_number(st->seconds),
         "cpu_seconds", lobe_app_json_number(st->cpu_seconds));
@@ -391,6 +391,7 @@ lobe_app_status lobe_app_render(int argc, char **argv) {
     if (values.list_scenes) return list_scenes(values.json);
     status = lobe_app_choose_model(values.ndf, values.masking, values.method, &values.model);
     if (status || (status = lobe_app_check_floor(&arguments, values.model))) return status;
+    if (values.method == LOBE_METHOD_COUNT) values.model.method = LOBE_METHOD_COUNT;
     if ((status = check(&values, &arguments))) return status;
     return render(&values, arguments.operand);
 }

@@ -177,8 +177,11 @@ typedef enum lobe_multiscatter {
     LOBE_MULTISCATTER_TURQUIN
 } lobe_multiscatter;
 
+/* reflection.model.method may be LOBE_METHOD_COUNT, the default: by surface. Of Smith-GGX dielectrics and metals
+ * of an alpha below 0.1 then take bounded caps and other metals horizon sampling, uniform where the shading
+ * normal is tilted by 10 degrees or more; any other distribution takes its best method. */
 typedef struct lobe_render_options {
-    lobe_reflection_options reflection; /* default Smith-GGX, bounded; floor 0.1 */
+    lobe_reflection_options reflection; /* default Smith-GGX by LOBE_METHOD_COUNT; floor 0.25 */
     lobe_multiscatter multiscatter;     /* not NONE: Smith-GGX only; default NONE */
     int width, height;                  /* pixels, 1 to LOBE_RENDER_SIZE_MAX; default 960 x 540 */
     uint32_t samples;   /* camera paths a pixel, 1 to LOBE_RENDER_SAMPLES_MAX; default 64 */
@@ -199,6 +202,9 @@ typedef struct lobe_render_options {
 #define LOBE_RENDER_SAMPLES_MAX 16777216
 
 LOBE_API lobe_render_options lobe_render_default_options(void);
+
+/* "bounded"; "by surface" for LOBE_METHOD_COUNT; NULL out of range. */
+LOBE_API const char *lobe_render_method_name(lobe_method method);
 
 typedef struct lobe_render_statistics {
     uint64_t samples;         /* camera paths finished */
