@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include <lobe/batch.h>
 #include <lobe/version.h>
 
 #include "commands.h"
@@ -30,7 +31,7 @@ static lobe_app_status print_help(void) {
     for (int i = 0; i < COMMANDS; i++)
         lobe_app_print("  %-10s%s\n", commands[i].name, commands[i].about);
     lobe_app_print("\n  --help    this page; lobe COMMAND --help has the options\n"
-                   "  --version the version\n\n"
+                   "  --version the version, and the instruction set in use\n\n"
                    "Exit status: 0 done, 1 failed while running, 2 bad usage or input,\n"
                    "3 a verification did not hold, 130 interrupted.\n\n"
                    "Example\n  lobe sample --alpha 0.3 --wi 0.6,0,0.8 --count 5\n");
@@ -38,7 +39,9 @@ static lobe_app_status print_help(void) {
 }
 
 static lobe_app_status print_version(void) {
-    lobe_app_print("lobe %s\n", LOBE_VERSION_STRING);
+    lobe_app_print("lobe %s\nvectors: %s, of", LOBE_VERSION_STRING, lobe_isa());
+    for (int i = 0; lobe_isa_at(i); i++) lobe_app_print(" %s", lobe_isa_at(i));
+    lobe_app_print("\n");
     return LOBE_APP_DONE;
 }
 

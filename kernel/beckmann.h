@@ -195,6 +195,11 @@ K_FN facet_eval beckmann_eval(beckmann_base g, facet_pair pair) {
     return e;
 }
 
+/* Of the visible normals' density: 1 but for the previous normalisation. */
+K_FN real beckmann_vndf_integral(beckmann_base g) {
+    return g.density_bias;
+}
+
 /* A draw from its pair and the two densities of the method there. */
 K_FN facet_draw beckmann_draw_of(beckmann_base g, facet_pair pair, real pdf_m, real pdf) {
     facet_draw draw;

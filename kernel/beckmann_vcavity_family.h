@@ -66,6 +66,11 @@ K_FN facet_eval beckmann_vcavity_eval(beckmann_vcavity_base g, facet_pair pair) 
     return vcavity_eval(g.cavity, k_is(g.valid), pair);
 }
 
+/* Of the visible normals' density: 1 but for the previous normalisation. */
+K_FN real beckmann_vcavity_vndf_integral(beckmann_vcavity_base g) {
+    return g.cavity.density_bias;
+}
+
 /* Worst error of H in float, 5 10^6 random inputs with H above 1e-8 (tools/numerics/vcavity_error.c): 4.8e-06
  * relative, the rounding of a in exp(-a^2), at wi (0x1.9ba406p-1, -0x1.8321f2p-2, -0x1.d60348p-2), alpha
  * (0x1.5461dep-3, 0x1.02fabep-6). */

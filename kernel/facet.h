@@ -1,10 +1,11 @@
 /* kernel/facet.h: what every microfacet reflection model shares: the pair of directions about a
  * microfacet normal, the draw, and the choices of a shading point.
  *
- * A model is a family (a distribution and a masking: `ggx`, ...) of four functions,
+ * A model is a family (a distribution and a masking: `ggx`, ...) of five functions,
  *     FAMILY_base  FAMILY_base_of(v3 wi, real alpha_x, real alpha_y, facet_options options)
  *     facet_pair   FAMILY_pair_of_wo(FAMILY_base g, v3 wo),  FAMILY_pair_of_m(FAMILY_base g, v3 m)
  *     facet_eval   FAMILY_eval(FAMILY_base g, facet_pair pair)
+ *     real         FAMILY_vndf_integral(FAMILY_base g)
  * and of samplers over it (docs/adding-a-sampler.md). */
 #ifndef K_FACET_H
 #define K_FACET_H

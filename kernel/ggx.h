@@ -146,7 +146,8 @@ K_FN facet_pair ggx_pair_of_wo(ggx_base g, v3 wo) {
     facet_pair pair;
     pair.wo = wo;
     pair.m = v3_scale(h, inv * side);
-    pair.cos_im = v3_dot(g.wi, h) * inv * side;
+    /* by the length of h: near straight back i.h is a difference of larger numbers */
+    pair.cos_im = R(0.5) * h2 * inv * side;
     pair.d = ggx_d_stretched(g, safe_h2 / k_max(v3_dot(w, w), K_TINY));
     pair.leaves = k_and(facet_leaves(wo, g.plane),
                         k_and(h.z > R(0.0), k_and(h2 > K_TINY, pair.cos_im > R(0.0))));
@@ -188,6 +189,11 @@ K_FN facet_eval ggx_eval(ggx_base g, facet_pair pair) {
     e.g2 = k_select(pair.leaves, k_usable(e.g1_i * ggx_shadowing(g, pair.wo)), R(0.0));
     e.f_cos = ggx_f_cos(g, pair);
     return e;
+}
+
+/* Of the visible normals' density: 1 but for the previous normalisation. */
+K_FN real ggx_vndf_integral(ggx_base g) {
+    return g.density_bias;
 }
 
 /* A draw from its pair, the two densities of the method there, and f cos / pdf. */

@@ -13,6 +13,10 @@
 
 #include "ggx_horizon_frame.h"
 
+/* The density stays what it is there on the last of the way to the horizon, where one draw in 10^12
+ * ends: v is divided by, and cubed, in float. */
+#define GGX_HORIZON_V_MIN R(1e-12)
+
 K_STRUCT(ggx_horizon_set) {
     ggx_base g;
     ggx_horizon_frame f;
@@ -132,8 +136,7 @@ K_FN ggx_horizon_point ggx_horizon_point_of(ggx_horizon_set s, facet_pair pair) 
     p.im = pair.cos_im * am / s.g.t_i;
     real from_wo = pair.wo.z * am2 / s.rise;
     real from_m = R(2.0) * p.im * pair.m.z * am / f.lambda;
-    /* not 0: it is divided by, and cubed */
-    p.v = k_min(k_max(k_select(k_is(s.front), from_wo, from_m), R(1e-5) * K_EPS), R(1.0));
+    p.v = k_min(k_max(k_select(k_is(s.front), from_wo, from_m), GGX_HORIZON_V_MIN), R(1.0));
     p.rest = R(1.0) - p.v;
     real y1 = f.b * v3_dot(w, f.e1);
     real y2 = f.a * v3_dot(w, f.e2);

@@ -57,6 +57,11 @@ K_FN facet_eval ggx_vcavity_eval(ggx_vcavity_base g, facet_pair pair) {
     return vcavity_eval(g.cavity, k_is(g.valid), pair);
 }
 
+/* Of the visible normals' density: 1 but for the previous normalisation. */
+K_FN real ggx_vcavity_vndf_integral(ggx_vcavity_base g) {
+    return g.cavity.density_bias;
+}
+
 /* Worst error of H in float, 5 10^6 random inputs (tools/numerics/vcavity_error.c): 4.9e-07 relative at
  * wi (0x1.516a72p-4, 0x1.28789ep-3, -0x1.f8d92p-1), alpha (0x1.17626ap-3, 0x1.e06e58p+0). */
 

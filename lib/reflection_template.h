@@ -3,7 +3,8 @@
  * Before including: the binding of the precision, and
  *   LOBE_NAME(stem)   lobe_stem_f32 or lobe_stem_f64
  * The models come from LOBE_MODELS. Each is a kernel of five functions (prepare, draw, pdf, pdf_m,
- * acceptance) over a family of four (base_of, pair_of_wo, pair_of_m, eval; kernel/facet.h). */
+ * acceptance) over a family of five (base_of, pair_of_wo, pair_of_m, eval, vndf_integral;
+ * kernel/facet.h). */
 #include "models.h"
 
 typedef LOBE_NAME(reflection) model_type;
@@ -28,6 +29,7 @@ typedef struct row {
     eval_type (*eval_wo)(const model_type *model, v3 wo);
     eval_type (*eval_m)(const model_type *model, v3 m);
     real (*acceptance)(const model_type *model);
+    real (*vndf_integral)(const model_type *model);
 } row;
 
 static eval_type eval_of(facet_pair pair, facet_eval known, real pdf_m, real pdf) {
@@ -94,14 +96,20 @@ static eval_type eval_of(facet_pair pair, facet_eval known, real pdf_m, real pdf
         LOAD(FAMILY(NDF, MASKING, _base), g);                                                      \
         LOAD(kernel, s);                                                                           \
         return g.mirror ? facet_mirror_draw(g.wi, g.plane).pdf : kernel##_acceptance(s);           \
+    }                                                                                              \
+    static real kernel##_row_vndf_integral(const model_type *model) {                              \
+        LOAD(FAMILY(NDF, MASKING, _base), g);                                                      \
+        return g.mirror ? R(1.0) : FAMILY(NDF, MASKING, _vndf_integral)(g);                        \
     }
 ALL_MODELS(DEFINE_ROW)
 #undef DEFINE_ROW
 #undef LOAD
 
 #define TABLE_ROW(NDF, MASKING, METHOD, kernel)                                                    \
-    {kernel##_row_prepare, kernel##_row_draw,   kernel##_row_pdf,                                  \
-     kernel##_row_eval_wo, kernel##_row_eval_m, kernel##_row_acceptance},
+    {                                                                                              \
+        kernel##_row_prepare,      kernel##_row_draw,   kernel##_row_pdf,                          \
+        kernel##_row_eval_wo,      kernel##_row_eval_m, kernel##_row_acceptance,                   \
+        kernel##_row_vndf_integral},
 static const row rows[ROW_COUNT] = {ALL_MODELS(TABLE_ROW)};
 #undef TABLE_ROW
 
@@ -195,4 +203,8 @@ eval_type LOBE_NAME(reflection_eval_m)(const model_type *model, vec_type m) {
 
 real LOBE_NAME(reflection_acceptance)(const model_type *model) {
     return model->is_valid ? rows[model->row].acceptance(model) : R(0.0);
+}
+
+real LOBE_NAME(reflection_vndf_integral)(const model_type *model) {
+    return model->is_valid ? rows[model->row].vndf_integral(model) : R(0.0);
 }

@@ -56,7 +56,8 @@ static const char *components_of(lobe_aov aov) {
     static const char *const components[LOBE_AOV_COUNT] = {[LOBE_AOV_ALBEDO] = "RGB",
                                                            [LOBE_AOV_NORMAL] = "XYZ",
                                                            [LOBE_AOV_DEPTH] = "Z",
-                                                           [LOBE_AOV_REJECTED] = "Y"};
+                                                           [LOBE_AOV_REJECTED] = "Y",
+                                                           [LOBE_AOV_VNDF_INTEGRAL] = "Y"};
     return components[aov];
 }
 

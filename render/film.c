@@ -8,7 +8,8 @@
 
 /* Channels that come from the sums of the first hit. */
 static const uint32_t first_hit_aovs =
-    LOBE_AOV_BIT(LOBE_AOV_ALBEDO) | LOBE_AOV_BIT(LOBE_AOV_NORMAL) | LOBE_AOV_BIT(LOBE_AOV_DEPTH);
+    LOBE_AOV_BIT(LOBE_AOV_ALBEDO) | LOBE_AOV_BIT(LOBE_AOV_NORMAL) | LOBE_AOV_BIT(LOBE_AOV_DEPTH) |
+    LOBE_AOV_BIT(LOBE_AOV_VNDF_INTEGRAL);
 
 lobe_film *lobe_film_create(int width, int height, uint32_t aovs) {
     size_t count = (size_t)width * (size_t)height;
@@ -55,7 +56,7 @@ void lobe_film_add(lobe_film *film, size_t index, const film_sample *sample) {
     if (film->first_hit) {
         const float values[FILM_FIRST_HIT_FLOATS] = {
             sample->albedo.x, sample->albedo.y, sample->albedo.z, sample->normal.x,
-            sample->normal.y, sample->normal.z, sample->depth};
+            sample->normal.y, sample->normal.z, sample->depth,    sample->vndf_integral};
         for (int i = 0; i < FILM_FIRST_HIT_FLOATS; i++)
             film->first_hit[index * FILM_FIRST_HIT_FLOATS + (size_t)i] += values[i];
     }
@@ -92,8 +93,10 @@ static void copy_rejected(const lobe_film *film, float *values) {
 }
 
 int lobe_film_copy_aov(const lobe_film *film, lobe_aov aov, float *values) {
-    static const int offsets[LOBE_AOV_COUNT] = {
-        [LOBE_AOV_ALBEDO] = 0, [LOBE_AOV_NORMAL] = 3, [LOBE_AOV_DEPTH] = 6};
+    static const int offsets[LOBE_AOV_COUNT] = {[LOBE_AOV_ALBEDO] = 0,
+                                                [LOBE_AOV_NORMAL] = 3,
+                                                [LOBE_AOV_DEPTH] = 6,
+                                                [LOBE_AOV_VNDF_INTEGRAL] = 7};
     if ((unsigned)aov >= LOBE_AOV_COUNT || !(film->aovs & LOBE_AOV_BIT(aov))) return 0;
     if (aov == LOBE_AOV_REJECTED)
         copy_rejected(film, values);

@@ -20,6 +20,7 @@ typedef struct film_sample {
     vec3 radiance;
     vec3 albedo, normal;
     float depth;
+    float vndf_integral;
     uint32_t draws, rejected; /* of GGX */
 } film_sample;
 
@@ -34,11 +35,11 @@ struct lobe_film {
     int width, height;
     uint32_t aovs;      /* LOBE_AOV_BIT */
     film_pixel *pixels; /* rows from the top */
-    float *first_hit;   /* sums of albedo, normal, depth: 7 a pixel; NULL: not kept */
+    float *first_hit;   /* sums of albedo, normal, depth, VNDF integral; NULL: not kept */
     film_metadata metadata;
 };
 
-enum { FILM_FIRST_HIT_FLOATS = 7 };
+enum { FILM_FIRST_HIT_FLOATS = 8 };
 
 lobe_film *lobe_film_create(int width, int height, uint32_t aovs); /* NULL: no memory */
 

@@ -351,6 +351,7 @@ static void keep_first_hit(path *p, const hit_point *h, const surface *surface) 
     p->sample.albedo = surface->base_color;
     p->sample.normal = h->shading.z;
     p->sample.depth = h->distance;
+    p->sample.vndf_integral = lobe_reflection_vndf_integral_f32(&surface->ggx);
 }
 
 static void go_on(path *p, const hit_point *h, const surface *surface, vec3 direction) {
@@ -410,7 +411,8 @@ film_sample lobe_trace_path(const integrator *k, vec3 origin, vec3 direction, sa
               .direction = direction,
               .throughput = v3_all(1.0f),
               .spread = 1.0f,
-              .is_camera = 1};
+              .is_camera = 1,
+              .sample.vndf_integral = 1.0f};
     for (int scatterings = 0;; scatterings++) {
         ray_hit hit;
         if (!meet_surface(&p, &hit)) {

@@ -55,16 +55,15 @@ static void test_chi_square(const lobe_settings *settings, const lobe_bins *bins
                         p.bins, n);
 }
 
-/* Few events by Poisson's distribution, many by the normal one. `slack` is what rounding may add to
- * the mean: a closed bound is met to rounding only. */
+/* Few events by Poisson's distribution, many by the normal one. `slack` is by how much the mean is
+ * unknown to either side: a closed bound is met to rounding only. */
 static double count_p_value(double mean, double slack, double n, uint64_t count, double *z) {
     double variance = mean * (1 - mean / n);
     double off = (double)count - mean;
     off = off > 0 ? fmax(off - slack, 0) : fmin(off + slack, 0);
     *z = off / sqrt(fmax(variance, 1));
     if (mean > 1000) return lobe_normal_two_sided(*z);
-    double shifted = (double)count > mean ? fmin(mean + slack, (double)count) : mean;
-    return lobe_poisson_two_sided(shifted, count);
+    return lobe_poisson_two_sided((double)count - off, count);
 }
 
 static void test_rejected(const lobe_verify_model *model, const lobe_settings *settings,

@@ -209,6 +209,13 @@ LOBE_API lobe_reflection_eval_f64 lobe_reflection_eval_m_f64(const lobe_reflecti
 LOBE_API float lobe_reflection_acceptance_f32(const lobe_reflection_f32 *model);
 LOBE_API double lobe_reflection_acceptance_f64(const lobe_reflection_f64 *model);
 
+/* What the density of visible normals integrates to with the model's normalization, in closed form: 1,
+ * and for LOBE_NORMALIZATION_PREVIOUS with wi.z < 0 the smaller the farther wi lies behind the surface
+ * (Tokuyoshi 2021, equations 4 and 9). pdf_m of every method but `ndf` integrates to it. A picture that
+ * divides by that density is too bright by as much. 0: an invalid model. */
+LOBE_API float lobe_reflection_vndf_integral_f32(const lobe_reflection_f32 *model);
+LOBE_API double lobe_reflection_vndf_integral_f64(const lobe_reflection_f64 *model);
+
 LOBE_END_C
 
 #endif

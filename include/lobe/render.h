@@ -126,7 +126,9 @@ LOBE_API const char *lobe_scene_camera_name(const lobe_scene *scene, size_t inde
     X(ALBEDO, "albedo", 3, "base colour at the first hit")                                         \
     X(NORMAL, "normal", 3, "shading normal at the first hit, world space, [-1, 1]")                \
     X(DEPTH, "depth", 1, "distance from the camera to the first hit; 0 where there is none")       \
-    X(REJECTED, "rejected", 1, "share of GGX draws on the pixel's paths that were rejected")
+    X(REJECTED, "rejected", 1, "share of GGX draws on the pixel's paths that were rejected")       \
+    X(VNDF_INTEGRAL, "vndf-integral", 1,                                                           \
+      "integral of the visible normals' density at the first hit (lobe/reflection.h); 1 if none")
 
 typedef enum lobe_aov {
 #define LOBE_AOV_ENUMERATOR(ID, name, channels, about) LOBE_AOV_##ID,
@@ -257,7 +259,8 @@ LOBE_API lobe_film_write_options lobe_film_default_write_options(void);
 LOBE_API int lobe_film_can_write(const char *path);
 
 /* Write the film in the format of the file's ending, beside the final name, and rename it. .exr holds
- * the extra channels as layers ("albedo.R", …, "depth.Z", "rejected.Y") and scene, method, samples,
+ * the extra channels as layers ("albedo.R", …, "depth.Z", "rejected.Y",
+ * "vndf-integral.Y") and scene, method, samples,
  * seed, seconds and version as attributes; .png is sRGB, 8 bit, dithered. */
 LOBE_API lobe_render_result lobe_film_write(const lobe_film *film, const char *path,
                                             lobe_film_write_options options);

@@ -1,9 +1,10 @@
 """--help and --version: every command has a page, and every option it names is one it takes."""
 import os
 import re
+import subprocess
 from pathlib import Path
 
-from program import ProgramTest, main
+from program import PROGRAM, ProgramTest, main
 
 COMMAND = re.compile(r"^  ([a-z]+) ", re.M)
 OPTION = re.compile(r"^  (--[a-z0-9-]+)(?: ([A-Z][^ ]*))?(?:  |$)", re.M)
@@ -17,7 +18,16 @@ class HelpTest(ProgramTest):
     def test_version_is_that_of_the_header(self):
         header = Path(os.environ["LOBE_SOURCE_DIR"], "include/lobe/version.h").read_text()
         version = re.search(r'VERSION_STRING "([^"]+)"', header).group(1)
-        self.assertEqual(self.done("--version").decode(), f"lobe {version}\n")
+        self.assertEqual(self.done("--version").decode().splitlines()[0], f"lobe {version}")
+
+    def test_version_tells_the_instruction_set(self):
+        def line(**environment):
+            run = subprocess.run([PROGRAM, "--version"], capture_output=True, text=True, check=True,
+                                 env={**os.environ, **environment})
+            return run.stdout.splitlines()[1]
+        used, known = re.fullmatch(r"vectors: (\S+), of (.+)", line(LOBE_ISA="")).groups()
+        self.assertEqual(used, known.split()[-1])
+        self.assertEqual(line(LOBE_ISA="scalar"), f"vectors: scalar, of {known}")
 
     def test_commands(self):
         self.assertLessEqual({"sample", "eval", "verify"}, set(self.commands()))
