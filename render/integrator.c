@@ -148,7 +148,9 @@ static surface surface_of(const integrator *k, const hit_point *h, vec3 to_viewe
     if (m->stretch > 0.0f) stretch(k->scene, h, &shading, &roughness, &anisotropy);
     /* of what is not glass, the same amount is metal */
     if (transmission > 0.0f) metallic /= fmaxf(1.0f - transmission, 1e-6f);
-    surface s = lobe_surface_at(&k->surface, shading, h->geometric, to_viewer, base_color,
+    surface_options options = k->surface;
+    options.coat = k->coats[h->triangle->material];
+    surface s = lobe_surface_at(&options, shading, h->geometric, to_viewer, base_color,
                                 fminf(metallic, 1.0f), roughness, anisotropy);
     if (transmission > 0.0f) {
         float alpha = roughness * roughness;

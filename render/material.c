@@ -1,7 +1,7 @@
 #include "material.h"
 
 static vec3 fresnel(const surface *s, float cosine) {
-    float coat = (1.0f - s->metallic) * lobe_fresnel_dielectric_f32(COAT_IOR, cosine);
+    float coat = (1.0f - s->metallic) * lobe_fresnel_dielectric_f32(s->ior, cosine);
     vec3 f0 = s->base_color;
     vec3 metal = {lobe_fresnel_schlick_f32(f0.x, cosine), lobe_fresnel_schlick_f32(f0.y, cosine),
                   lobe_fresnel_schlick_f32(f0.z, cosine)};
@@ -63,8 +63,11 @@ static lobe_method method_of(lobe_method asked, float metallic, float alpha, flo
 surface lobe_surface_at(const surface_options *options, frame shading, vec3 geometric,
                         vec3 to_viewer, vec3 base_color, float metallic, float roughness,
                         float anisotropy) {
-    surface s = {
-        .frame = shading, .geometric = geometric, .base_color = base_color, .metallic = metallic};
+    surface s = {.frame = shading,
+                 .geometric = geometric,
+                 .base_color = base_color,
+                 .metallic = metallic,
+                 .ior = options->coat->ior};
     lobe_vec3_f32 wi = frame_to_local(&shading, to_viewer);
     float alpha = roughness * roughness;
     vec3 plane = frame_to_local(&shading, geometric);

@@ -1,6 +1,6 @@
 /* Reflection at a point: a GGX coat or metal over a diffuse base (glTF 2.0), as one density.
  *
- * Metal and coat share one GGX: F = metallic * Schlick(base colour) + (1 - metallic) * dielectric 1.5.
+ * Metal and coat share one GGX: F = metallic * Schlick(base colour) + (1 - metallic) * dielectric.
  * The base gets what the coat lets through (Kelemen & Szirmay-Kalos 2001):
  * f = base (1 - E(i)) (1 - E(o)) / (pi (1 - E_avg)), E the albedo of the coat as the table of coat.h
  * has it, E_avg its exact average. A white dielectric then reflects 1 + (true E - E of the table):
@@ -24,6 +24,7 @@ typedef struct surface {
     lobe_reflection_f32 ggx; /* wi is in the shading frame */
     vec3 base_color;
     float metallic;
+    float ior;
     coat coat;
     float base_share_i;     /* (1 - metallic) (1 - E(i))/(pi (1 - E_avg)); 0: no base */
     lobe_albedo_f32 albedo; /* of the metal, with F = 1 */

@@ -258,6 +258,52 @@ static void keep_metadata(job *j, double seconds) {
     m->is_rendered = 1;
 }
 
+/* The coat's table of every material, by malloc. A file with very many indices gets the nearest ones. */
+static const coat_table **find_coats(const lobe_scene *s, const lobe_reflection_options *o) {
+    enum { INDICES_MAX = 64 };
+    const coat_table *known[INDICES_MAX], **coats = malloc((s->material_count + 1) * sizeof *coats);
+    int count = 0;
+    for (uint32_t i = 0; coats && i < s->material_count; i++) {
+        const float ior = s->materials[i].ior;
+        int nearest = 0;
+        for (int k = 1; k < count; k++)
+            if (fabsf(known[k]->ior - ior) < fabsf(known[nearest]->ior - ior)) nearest = k;
+        if (count < INDICES_MAX && (count == 0 || known[nearest]->ior != ior)) {
+            nearest = count++;
+            known[nearest] =
+                lobe_coat_table(o->model.ndf, o->model.masking, o->g2, ior, s->has_anisotropy);
+        }
+        coats[i] = known[nearest];
+        if (coats[i]) continue;
+        free(coats);
+        coats = NULL;
+    }
+    return coats;
+}
+
+static lobe_render_result render_with(const coat_table *const *coats, const lobe_scene *scene,
+                                      const lobe_render_options *options, lobe_film **film,
+                                      lobe_render_statistics *statistics) {
+    job j = {.scene = scene, .options = options, .start = now(CLOCK_MONOTONIC)};
+    double cpu = now(CLOCK_PROCESS_CPUTIME_ID);
+    j.integrator = (integrator){scene,          {options->reflection, NULL, options->multiscatter},
+                                coats,          options->heuristic,
+                                options->depth, options->roulette_depth};
+    lobe_render_result result = aim(&j);
+    if (result != LOBE_RENDER_OK) return result;
+    make_filter(j.filter);
+    j.film = lobe_film_create(options->width, options->height, options->aovs);
+    if (!j.film) return lobe_fail_memory("film");
+    int threads = options->threads ? options->threads : omp_get_max_threads();
+    int finished = render_passes(&j, threads);
+    lobe_render_statistics own;
+    fill_statistics(&j, cpu, threads, statistics ? statistics : &own);
+    keep_metadata(&j, now(CLOCK_MONOTONIC) - j.start);
+    *film = j.film;
+    int cancelled = !finished && options->cancel && *options->cancel;
+    return cancelled ? LOBE_RENDER_INTERRUPTED : LOBE_RENDER_OK;
+}
+
 lobe_render_result lobe_render(const lobe_scene *scene, lobe_render_options options,
                                lobe_film **film, lobe_render_statistics *statistics) {
     *film = NULL;
@@ -267,26 +313,9 @@ lobe_render_result lobe_render(const lobe_scene *scene, lobe_render_options opti
     /* the choice by surface is known for Smith-GGX; else the best method is one for all */
     if (model.ndf != LOBE_NDF_GGX || model.masking != LOBE_MASKING_SMITH)
         options.reflection.model.method = method_or_best(model);
-    const coat_table *coat =
-        lobe_coat_table(model.ndf, model.masking, options.reflection.g2, scene->has_anisotropy);
-    if (!coat) return lobe_fail_memory(scene->name);
-    job j = {.scene = scene, .options = &options, .start = now(CLOCK_MONOTONIC)};
-    double cpu = now(CLOCK_PROCESS_CPUTIME_ID);
-    j.integrator = (integrator){scene,
-                                {options.reflection, coat, options.multiscatter},
-                                options.heuristic,
-                                options.depth,
-                                options.roulette_depth};
-    if ((result = aim(&j)) != LOBE_RENDER_OK) return result;
-    make_filter(j.filter);
-    j.film = lobe_film_create(options.width, options.height, options.aovs);
-    if (!j.film) return lobe_fail_memory("film");
-    int threads = options.threads ? options.threads : omp_get_max_threads();
-    int finished = render_passes(&j, threads);
-    lobe_render_statistics own;
-    fill_statistics(&j, cpu, threads, statistics ? statistics : &own);
-    keep_metadata(&j, now(CLOCK_MONOTONIC) - j.start);
-    *film = j.film;
-    int cancelled = !finished && options.cancel && *options.cancel;
-    return cancelled ? LOBE_RENDER_INTERRUPTED : LOBE_RENDER_OK;
+    const coat_table **coats = find_coats(scene, &options.reflection);
+    if (!coats) return lobe_fail_memory(scene->name);
+    result = render_with(coats, scene, &options, film, statistics);
+    free(coats);
+    return result;
 }

@@ -249,7 +249,7 @@ static void fill_info(lobe_scene *s) {
 
 static int has_anisotropy(const lobe_scene *s) {
     for (uint32_t i = 0; i < s->material_count; i++)
-        if (s->materials[i].anisotropy != 0.0f) return 1;
+        if (s->materials[i].anisotropy != 0.0f || s->materials[i].stretch > 0.0f) return 1;
     return 0;
 }
 

@@ -16,7 +16,7 @@
  * Environment: direction d lies at u = 1/2 + atan2(d.z, d.x)/(2 pi), v = acos(d.y)/pi from the top
  * row, texels centred.
  * Materials are those of glTF 2.0: a metal is GGX with Schlick's Fresnel (f0 = base colour), a
- * dielectric is a GGX coat of index 1.5 over a diffuse base, `metallic` blends the two. The base
+ * dielectric is a GGX coat (of index 1.5 where the file has none) over a diffuse base, `metallic` blends the two. The base
  * receives what the coat lets through: a white dielectric reflects all light and never more, at any
  * roughness, angle and anisotropy (0.99 to 1.001; from 0.985 at an anisotropy of 0.6, from 0.95 at
  * 0.95). Every opaque surface is two-sided.

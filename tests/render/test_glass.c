@@ -157,6 +157,21 @@ static void base_color_tints(void **state) {
     assert_mean(grey, 0.0625, 1e-5);
 }
 
+/* A coat of another index: white matter below it loses nothing, and a black one shows F. */
+static void coats_have_their_index(void **state) {
+    (void)state;
+    body.count = 0;
+    solid_screen(&body, 9, 0, 1);
+    solid_light(0.5f, 0.5f);
+#define COATED(color, roughness, n)                                                                \
+    "{\"pbrMetallicRoughness\":{\"metallicFactor\":0,\"baseColorFactor\":[" color "],"             \
+    "\"roughnessFactor\":" roughness "},\"extensions\":{\"KHR_materials_ior\":{\"ior\":" n "}}}"
+    assert_mean(COATED("1,1,1,1", "0.4", "1.2"), 0.5, 2e-3);
+    assert_mean(COATED("1,1,1,1", "0.4", "2.4"), 0.5, 2e-3);
+    assert_mean(COATED("0,0,0,1", "0", "3"), 0.5 * 0.25, 1e-3);
+    assert_mean(COATED("0,0,0,1", "0", "1"), 0, 1e-5);
+}
+
 /* Half glass, half white matter of the same coat: in white light nothing is lost. */
 static void shares_add_up(void **state) {
     (void)state;
@@ -281,6 +296,7 @@ int main(void) {
         cmocka_unit_test(thin_wall_loses_what_a_metal_loses),
         cmocka_unit_test(plates_are_as_in_closed_form),
         cmocka_unit_test(base_color_tints),
+        cmocka_unit_test(coats_have_their_index),
         cmocka_unit_test(shares_add_up),
         cmocka_unit_test(matched_plate_is_invisible),
         cmocka_unit_test(values_are_reciprocal),
