@@ -135,9 +135,11 @@ lobe_app_status lobe_app_choose_model(int ndf, int masking, int method, lobe_mod
 }
 
 lobe_app_status lobe_app_check_floor(const lobe_app_arguments *arguments, lobe_model model) {
-    if (!lobe_app_is_given(arguments, "--floor") || model.method == LOBE_METHOD_HORIZON)
+    if (!lobe_app_is_given(arguments, "--floor") ||
+        (model.method == LOBE_METHOD_HORIZON && model.ndf == LOBE_NDF_GGX))
         return LOBE_APP_DONE;
-    return lobe_app_reject("--floor", "it goes with --method horizon", "%s has no floor",
+    return lobe_app_reject("--floor", "it goes with --ndf ggx --method horizon",
+                           "%s %s has no floor", lobe_ndf_name(model.ndf),
                            lobe_method_name(model.method));
 }
 

@@ -76,7 +76,7 @@ static void print_test_json(const lobe_verify_test *t) {
 }
 
 static void print_test_row(const lobe_verify_test *t) {
-    lobe_app_print("%-6s %-20s %-48s %-13s %-5s %9.3g, limit %9.3g  %s\n",
+    lobe_app_print("%-6s %-34s %-48s %-13s %-5s %9.3g, limit %9.3g  %s\n",
                    t->passed     ? "ok"
                    : t->is_known ? "known"
                                  : "FAILED",

@@ -11,7 +11,7 @@
  *   V(v)  = 2 (v_z + X(v)) for v_z > 0, with X = b exp(-c^2) defect(c)/(2 sqrt(pi)) = v_z Lambda(v):
  *           nothing cancels and nothing is divided by a cosine (defect: kernel/erf.h)
  *   V(i)  = exp(-c^2) b_i defect(-c)/sqrt(pi) for i_z <= 0: D and V both underflow far below the
- *           horizon; `visible` is V without the exponential, and the densities take D without it. */
+ *           horizon; `visible` is V without the exponential, and a pair keeps D without it. */
 #ifndef K_BECKMANN_H
 #define K_BECKMANN_H
 
@@ -95,26 +95,38 @@ K_FN beckmann_base beckmann_base_of(v3 wi, real alpha_x, real alpha_y, facet_opt
     return g;
 }
 
-/* D of the normal along h (of any length), times exp(shift). The exponent of a visible normal is never
- * positive; cut there and at -60 it leaves rounding no way to make a drawn normal impossible. */
-K_FN real beckmann_d_along(v3 h, real ax, real ay, real shift) {
-    real x = h.x / ax;
-    real y = h.y / ay;
-    real inv_z2 = R(1.0) / k_max(h.z * h.z, K_TINY);
-    real exponent = (x * x + y * y) * inv_z2 - shift;
-    exponent = k_select(shift > R(0.0), k_min(k_max(exponent, R(0.0)), R(60.0)), exponent);
-    real inv_cos2 = v3_dot(h, h) * inv_z2;
+/* D of a unit m without its exponential: exp(-exponent) sec^4/(pi ax ay). */
+K_FN real beckmann_d_of(real exponent, v3 m, real ax, real ay) {
+    real inv_z2 = R(1.0) / k_max(m.z * m.z, K_TINY);
+    real inv_cos2 = v3_dot(m, m) * inv_z2;
     real d = k_exp(-exponent) * inv_cos2 * inv_cos2 / (K_PI * ax * ay);
-    return k_select(h.z > R(0.0), d, R(0.0));
+    return k_select(m.z > R(0.0), d, R(0.0));
+}
+
+/* D(m), and its exponent: the squared length of the slope in the stretched space. */
+K_FN real beckmann_exponent(v3 m, real ax, real ay) {
+    real x = m.x / ax;
+    real y = m.y / ay;
+    return (x * x + y * y) / k_max(m.z * m.z, K_TINY);
 }
 
 K_FN real beckmann_d(v3 m, real ax, real ay) {
-    return beckmann_d_along(m, ax, ay, R(0.0));
+    return beckmann_d_of(beckmann_exponent(m, ax, ay), m, ax, ay);
 }
 
-/* D exp(shift) of a pair */
-K_FN real beckmann_d_shifted(beckmann_base g, facet_pair pair) {
-    return beckmann_d_along(pair.m, g.ax, g.ay, g.shift);
+/* The exponent x^2 + y^2 - shift of the slope x along i at depth t and y across, t = c - x for i_z < 0 and
+ * -x else: c^2 goes out without a difference. */
+K_FN real beckmann_exponent_at(beckmann_base g, real t, real y) {
+    return t * (t + R(2.0) * k_max(-g.c, R(0.0))) + y * y;
+}
+
+/* D exp(shift) of a normal that faces i; from below t = i.m/(b m_z). */
+K_FN real beckmann_d_shifted(beckmann_base g, v3 m, real cos_im) {
+    real inv_z = R(1.0) / k_max(m.z, k_sqrt(K_TINY));
+    real y = (g.wi.x * g.ax * (m.y / g.ay) - g.wi.y * g.ay * (m.x / g.ax)) * inv_z / g.b;
+    real behind = beckmann_exponent_at(g, k_max(cos_im, R(0.0)) * inv_z / g.b, y);
+    real exponent = k_select(g.wi.z < R(0.0), behind, beckmann_exponent(m, g.ax, g.ay));
+    return beckmann_d_of(exponent, m, g.ax, g.ay);
 }
 
 /* Lambda of a direction above the surface */
@@ -145,39 +157,41 @@ K_FN real beckmann_shadowing(beckmann_base g, v3 wo) {
 
 /* f cos of a pair that leaves the surface; 0 of any other */
 K_FN real beckmann_f_cos(beckmann_base g, facet_pair pair) {
-    real value =
-        beckmann_d_shifted(g, pair) * beckmann_shadowing(g, pair.wo) / (R(2.0) * g.visible);
+    real value = pair.d * beckmann_shadowing(g, pair.wo) / (R(2.0) * g.visible);
     return k_select(k_and(k_is(g.valid), pair.leaves), k_usable(value), R(0.0));
 }
 
-/* The pair of a given o. Straight back (o = -i) has no half vector: it does not leave. */
+/* The pair of a given o; i.m is half the length of i + o, which keeps its digits where i.o is near -1.
+ * Straight back (o = -i) has no half vector: it does not leave. */
 K_FN facet_pair beckmann_pair_of_wo(beckmann_base g, v3 wo) {
     v3 h = v3_add(g.wi, wo);
     real h2 = v3_dot(h, h);
-    real inv = k_sign(h.z) / k_sqrt(k_max(h2, K_TINY));
+    real inv = R(1.0) / k_sqrt(k_max(h2, K_TINY));
+    real side = k_sign(h.z);
     facet_pair pair;
     pair.wo = wo;
-    pair.m = v3_scale(h, inv);
-    pair.cos_im = v3_dot(g.wi, h) * inv;
-    pair.d = beckmann_d(pair.m, g.ax, g.ay);
+    pair.m = v3_scale(h, inv * side);
+    pair.cos_im = R(0.5) * h2 * inv * side;
+    pair.d = beckmann_d_shifted(g, pair.m, pair.cos_im);
     pair.leaves = k_and(facet_leaves(wo, g.plane),
                         k_and(h.z > R(0.0), k_and(h2 > K_TINY, pair.cos_im > R(0.0))));
     return pair;
 }
 
-/* A pair of a given m and i.m: o is i reflected about m, wherever that lies. */
-K_FN facet_pair beckmann_pair_about(beckmann_base g, v3 m, real cos_im) {
+/* A pair of a given m, i.m and D exp(shift): o is i reflected about m, wherever that lies. */
+K_FN facet_pair beckmann_pair_about(beckmann_base g, v3 m, real cos_im, real d) {
     facet_pair pair;
     pair.m = m;
     pair.cos_im = cos_im;
     pair.wo = v3_sub(v3_scale(m, R(2.0) * cos_im), g.wi);
-    pair.d = beckmann_d(m, g.ax, g.ay);
+    pair.d = d;
     pair.leaves = k_and(facet_leaves(pair.wo, g.plane), k_and(m.z > R(0.0), cos_im > R(0.0)));
     return pair;
 }
 
 K_FN facet_pair beckmann_pair_of_m(beckmann_base g, v3 m) {
-    return beckmann_pair_about(g, m, v3_dot(g.wi, m));
+    real cos_im = v3_dot(g.wi, m);
+    return beckmann_pair_about(g, m, cos_im, beckmann_d_shifted(g, m, cos_im));
 }
 
 /* A slope of unit roughness (x, y) in the frame of the shading point; m is along (-ax x, -ay y, 1). */
@@ -187,7 +201,7 @@ K_FN v3 beckmann_normal_of_slopes(beckmann_base g, real x, real y) {
 
 K_FN facet_eval beckmann_eval(beckmann_base g, facet_pair pair) {
     facet_eval e;
-    e.d = k_usable(k_select(pair.m.z > R(0.0), pair.d, R(0.0)));
+    e.d = k_usable(beckmann_d(pair.m, g.ax, g.ay));
     e.g1_i = beckmann_g1_in(g);
     e.g1_o = k_usable(beckmann_g1_out(pair.wo, g.ax, g.ay));
     e.g2 = k_select(pair.leaves, k_usable(e.g1_i * beckmann_shadowing(g, pair.wo)), R(0.0));

@@ -18,8 +18,9 @@ K_FN beckmann_ndf beckmann_ndf_prepare(beckmann_base g) {
     return s;
 }
 
+/* Not by the pair's D: from below normals that face away have none. */
 K_FN real beckmann_ndf_pdf_m(beckmann_ndf s, facet_pair pair) {
-    return pair.d * k_max(pair.m.z, R(0.0));
+    return beckmann_d(pair.m, s.g.ax, s.g.ay) * k_max(pair.m.z, R(0.0));
 }
 
 K_FN real beckmann_ndf_pdf(beckmann_ndf s, facet_pair pair) {

@@ -50,9 +50,9 @@ K_FN facet_draw beckmann_newton_draw(beckmann_newton s, real u1, real u2, real u
 
 /* Worst errors of a draw in float, 3 10^5 random inputs (tools/numerics/beckmann_error.c: roughness 0.01 to 2,
  * either side, c above -10).
- * wo:  7.4e-07 at wi (-0x1.2f671cp-2, 0x1.bb727ep-3, 0x1.dc471p-1),
- *      alpha (0x1.226eecp-4, 0x1.f85cd4p+0) u (0x1.2ac91p-1, 0x1.34ffep-1)
- * pdf: 4.2e-05 relative at wi (0x1.3d0d7ep-1, -0x1.1e8ad2p-6, -0x1.91ec1p-1),
- *      alpha (0x1.052c04p-3, 0x1.052c04p-3) u (0x1.969d84p-1, 0x1.c16914p-2): the rounding of m, c^2 times */
+ * wo:  9.6e-07 at wi (0x1.cb7668p-3, 0x1.a73df4p-4, 0x1.f022dp-1),
+ *      alpha (0x1.e0f20cp+0, 0x1.9569ep-4) u (0x1.1a5fa4p-1, 0x1.4af902p-1)
+ * pdf: 5.7e-05 relative at wi (-0x1.d8e356p-4, 0x1.f2d36ap-1, -0x1.8c703p-3),
+ *      alpha (0x1.27d5fcp-4, 0x1.25e2b6p-6) u (0x1.43565cp-1, 0x1.df95c8p-2): the rounding of m, c^2 times */
 
 #endif

@@ -42,6 +42,7 @@ K_FN real beckmann_published_slope(real c, real least, real u1) {
     real at_max = x_max + tan_over_root_pi * k_exp_minus_square(c);
     real target = u * (at_max - at_min) + at_min;
     real x = x_max - (R(1.0) + x_max) * k_erf(k_sqrt(-k_log(u)));
+    K_UNROLL
     for (int step = 0; step < 3; ++step) {
         real z = k_erfinv(x);
         real value = x + tan_over_root_pi * k_exp_minus_square(z) - target;
@@ -64,7 +65,7 @@ K_FN facet_draw beckmann_newton_published_draw(beckmann_newton_published s, real
  * either side, c above -10).
  * wo:  0.24 at wi (-0x1.0b9752p-1, 0x1.2846aap-1, -0x1.408fbp-1),
  *      alpha (0x1.b6b28cp-2, 0x1.5db3fcp-5) u (0x1.fcda42p-1, 0x1.007dd8p-1): erf(c) is -1 in float
- * pdf: 6.1e-06 relative at wi (0x1.2bf97p-3, 0x1.29a43cp-4, -0x1.f91c1p-1),
- *      alpha (0x1.c5cd26p+0, 0x1.193422p-3) u (0x1.83b95ep-1, 0x1.134328p-2) */
+ * pdf: 7.9e-06 relative at wi (-0x1.c14eacp-1, 0x1.d4e34p-2, -0x1.23498p-3),
+ *      alpha (0x1.3cf85ep-5, 0x1.475e12p-5) u (0x1.3078ep-2, 0x1.b91364p-2) */
 
 #endif

@@ -87,7 +87,7 @@ K_FN facet_draw beckmann_slope_draw(beckmann_slope s, real u1, real u2, real u3)
  * either side, c above -10).
  * wo:  2.6e-04 at wi (-0x1.a56042p-2, -0x1.74aa96p-1, 0x1.18d886p-1), where u1 is used a second time,
  *      alpha (0x1.689cdap-2, 0x1.293284p-4) u (0x1.a0158cp-2, 0x1.0c1074p-1)
- * pdf: 3.8e-05 relative at wi (0x1.6b17f6p-1, 0x1.18ee86p-2, -0x1.4c87cp-1),
- *      alpha (0x1.8dbe14p-4, 0x1.8dbe14p-4) u (0x1.d73f48p-2, 0x1.6afb22p-1) */
+ * pdf: 5.9e-05 relative at wi (0x1.237aacp-1, 0x1.483562p-7, -0x1.a4e6a4p-1),
+ *      alpha (0x1.28c4ccp-3, 0x1.28c4ccp-3) u (0x1.3d03a8p-3, 0x1.d3d6a2p-1) */
 
 #endif

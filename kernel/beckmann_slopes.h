@@ -197,6 +197,7 @@ K_FN real beckmann_slopes_inverse(beckmann_slopes r, real u, real v) {
     real low = r.t_least;
     real high = r.t_most;
     real t = k_min(k_max(beckmann_slopes_start(r, deep, shallow), low), high);
+    K_UNROLL
     for (int step = 0; step < 2 + K_IS_F64; ++step) {
         beckmann_shares at = beckmann_slopes_shares(r, t);
         real excess = k_select(k_is(at.by_deep), at.deep - deep, shallow - at.shallow);

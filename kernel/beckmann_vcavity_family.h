@@ -39,31 +39,23 @@ K_FN beckmann_vcavity_base beckmann_vcavity_base_of(v3 wi, real alpha_x, real al
     /* straight from below nothing is visible */
     g.valid = k_flag(k_and(k_is(g.beckmann.valid), hit.scaled > R(1e6) * K_TINY));
     real scaled = k_select(k_is(g.valid), hit.scaled, R(1.0));
-    real decay = k_exp_minus_square(g.a);
     g.masked_share = hit.masked_share;
-    g.cavity = vcavity_base_of(g.wi, decay * scaled, options);
-    g.cavity.d_scale = decay;
+    g.cavity = vcavity_base_of(g.wi, k_exp_minus_square(g.a) * scaled, options);
     g.cavity.value_scale = R(0.25) / scaled;
     return g;
 }
 
-/* A pair of Smith's with the D of this family. */
-K_FN facet_pair beckmann_vcavity_pair_of(beckmann_vcavity_base g, facet_pair smith) {
-    facet_pair pair = smith;
-    pair.d = beckmann_d_shifted(g.beckmann, smith);
-    return pair;
-}
-
+/* The pairs are Smith's, D exp(a^2) too. */
 K_FN facet_pair beckmann_vcavity_pair_of_wo(beckmann_vcavity_base g, v3 wo) {
-    return beckmann_vcavity_pair_of(g, beckmann_pair_of_wo(g.beckmann, wo));
+    return beckmann_pair_of_wo(g.beckmann, wo);
 }
 
 K_FN facet_pair beckmann_vcavity_pair_of_m(beckmann_vcavity_base g, v3 m) {
-    return beckmann_vcavity_pair_of(g, beckmann_pair_of_m(g.beckmann, m));
+    return beckmann_pair_of_m(g.beckmann, m);
 }
 
 K_FN facet_eval beckmann_vcavity_eval(beckmann_vcavity_base g, facet_pair pair) {
-    return vcavity_eval(g.cavity, k_is(g.valid), pair);
+    return vcavity_eval(g.cavity, k_is(g.valid), pair, beckmann_d(pair.m, g.ax, g.ay));
 }
 
 /* Of the visible normals' density: 1 but for the previous normalisation. */

@@ -32,8 +32,7 @@ K_FN facet_pair beckmann_vcavity_groove_draw(beckmann_vcavity_groove s, real u1,
     real masked = k_erfcinv(s.masked_area * u1) - s.g.a;
     real whole = beckmann_slopes_inverse(s.whole, u1, R(1.0) - u1);
     real depth = k_select(u3 < s.g.masked_share, masked, whole);
-    return beckmann_vcavity_pair_of(
-        s.g, beckmann_pair_of_depth(s.g.beckmann, s.azimuth, depth, beckmann_gaussian(u2)));
+    return beckmann_pair_of_depth(s.g.beckmann, s.azimuth, depth, beckmann_gaussian(u2));
 }
 
 #endif

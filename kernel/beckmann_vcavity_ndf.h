@@ -17,7 +17,7 @@ K_FN beckmann_vcavity_ndf beckmann_vcavity_ndf_prepare(beckmann_vcavity_base g) 
     return s;
 }
 
-/* Not by the pair's D: from below normals that face away may have any s. */
+/* Not by the pair's D: from below normals that face away have none. */
 K_FN real beckmann_vcavity_ndf_pdf_m(beckmann_vcavity_ndf s, facet_pair pair) {
     return beckmann_d(pair.m, s.g.ax, s.g.ay) * k_max(pair.m.z, R(0.0));
 }
@@ -36,7 +36,7 @@ K_FN facet_draw beckmann_vcavity_ndf_draw(beckmann_vcavity_ndf s, real u1, real 
     real radius = k_sqrt(k_max(-k_log(R(1.0) - u1), R(0.0)));
     k_sincos phi = k_sincos_2pi(u2);
     v3 m = beckmann_normal_of_slopes(s.g.beckmann, -radius * phi.c, -radius * phi.s);
-    facet_pair pair = beckmann_vcavity_pair_of_m(s.g, m);
+    facet_pair pair = beckmann_pair_of_m(s.g.beckmann, m);
     real pdf_m = beckmann_vcavity_ndf_pdf_m(s, pair);
     return vcavity_draw_of(s.g.cavity, k_is(s.g.valid), pair, pdf_m, vcavity_ndf_pdf(pair, pdf_m));
 }

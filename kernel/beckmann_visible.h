@@ -9,7 +9,7 @@
 
 /* Density over directions, continued to reflections that do not leave. */
 K_FN real beckmann_visible_pdf(beckmann_base g, facet_pair pair) {
-    return g.density_bias * beckmann_d_shifted(g, pair) / (R(2.0) * g.visible);
+    return g.density_bias * pair.d / (R(2.0) * g.visible);
 }
 
 /* Density over the sphere of normals. */
@@ -24,14 +24,15 @@ K_FN real beckmann_visible_acceptance(beckmann_base g) {
 
 /* The pair of the slope at depth t along i (kernel/beckmann_slopes.h) and y across. i.m is taken of the m
  * that came out, which keeps o a unit vector; well below the horizon i.m is nothing but rounding there,
- * and what it must be is known: b m_z (c - x). */
+ * and what it must be is known: b m_z (c - x). So is D: of the slopes, not of what rounding left of them. */
 K_FN facet_pair beckmann_pair_of_depth(beckmann_base g, facet_azimuth azimuth, real t, real y) {
     real s = k_max(-g.c, R(0.0));
     real x = -t - s;
     v3 m =
         beckmann_normal_of_slopes(g, x * azimuth.x - y * azimuth.y, x * azimuth.y + y * azimuth.x);
     real dot = v3_dot(g.wi, m);
-    return beckmann_pair_about(g, m, k_select(s > R(3.0), g.b * m.z * k_max(t, R(0.0)), dot));
+    return beckmann_pair_about(g, m, k_select(s > R(3.0), g.b * m.z * k_max(t, R(0.0)), dot),
+                               beckmann_d_of(beckmann_exponent_at(g, t, y), m, g.ax, g.ay));
 }
 
 K_FN facet_draw beckmann_visible_draw(beckmann_base g, facet_pair pair) {

@@ -54,7 +54,7 @@ K_FN facet_pair ggx_vcavity_pair_of_m(ggx_vcavity_base g, v3 m) {
 }
 
 K_FN facet_eval ggx_vcavity_eval(ggx_vcavity_base g, facet_pair pair) {
-    return vcavity_eval(g.cavity, k_is(g.valid), pair);
+    return vcavity_eval(g.cavity, k_is(g.valid), pair, pair.d);
 }
 
 /* Of the visible normals' density: 1 but for the previous normalisation. */

@@ -20,8 +20,7 @@ K_STRUCT(vcavity_base) {
     v3 wi;
     v3 plane;
     real hit;          /* H(i) */
-    real d_scale;      /* a pair keeps D/d_scale, for where D itself is too small a number */
-    real value_scale;  /* d_scale/(4 H(i)) */
+    real value_scale;  /* 1/(4 H(i)), in the units of 1/D that the pairs have */
     real inv_z;        /* 1/|i_z|, finite where i_z = 0 */
     real density_bias; /* density / what is sampled; 1 but for the previous normalisation */
     kint separable;
@@ -33,7 +32,6 @@ K_FN vcavity_base vcavity_base_of(v3 wi, real hit, facet_options options) {
     c.wi = wi;
     c.plane = options.plane;
     c.hit = hit;
-    c.d_scale = R(1.0);
     c.value_scale = R(0.25) / hit;
     c.inv_z = R(1.0) / k_max(k_abs(wi.z), K_TINY);
     c.density_bias = k_select(k_and(k_is(options.previous), wi.z < R(0.0)), hit, R(1.0));
@@ -69,11 +67,11 @@ K_FN real vcavity_f_cos(vcavity_base c, facet_pair pair) {
     return k_select(pair.leaves, k_usable(value), R(0.0));
 }
 
-/* g1_i is normalised, G1(i, m)/H(i), as for Smith: f cos = D g2/(4 |i_z|). */
-K_FN facet_eval vcavity_eval(vcavity_base c, bool valid, facet_pair pair) {
+/* With D(m). g1_i is normalised, G1(i, m)/H(i), as for Smith: f cos = D g2/(4 |i_z|). */
+K_FN facet_eval vcavity_eval(vcavity_base c, bool valid, facet_pair pair, real d) {
     bool faces = k_and(valid, k_and(pair.m.z > R(0.0), pair.cos_im > R(0.0)));
     facet_eval e;
-    e.d = k_usable(k_select(pair.m.z > R(0.0), pair.d * c.d_scale, R(0.0)));
+    e.d = k_usable(k_select(pair.m.z > R(0.0), d, R(0.0)));
     e.g1_i = k_usable(k_select(faces, vcavity_g1(pair, c.wi.z) / c.hit, R(0.0)));
     e.g1_o =
         k_usable(k_select(k_and(faces, pair.wo.z > R(0.0)), vcavity_g1(pair, pair.wo.z), R(0.0)));

@@ -2,6 +2,14 @@
  * binding of a precision. */
 #include "lobe/reflection.h"
 
+#include "../kernel/beckmann_horizon.h"
+#include "../kernel/beckmann_ndf.h"
+#include "../kernel/beckmann_newton.h"
+#include "../kernel/beckmann_newton_published.h"
+#include "../kernel/beckmann_slope.h"
+#include "../kernel/beckmann_vcavity.h"
+#include "../kernel/beckmann_vcavity_ndf.h"
+#include "../kernel/beckmann_vcavity_valid.h"
 #include "../kernel/ggx_bounded.h"
 #include "../kernel/ggx_caps.h"
 #include "../kernel/ggx_ellipsoid.h"
@@ -16,9 +24,15 @@
 #include "../kernel/ggx_optimal.h"
 #include "../kernel/ggx_slope.h"
 #include "../kernel/ggx_slope_published.h"
+#include "../kernel/ggx_vcavity.h"
+#include "../kernel/ggx_vcavity_ndf.h"
+#include "../kernel/ggx_vcavity_valid.h"
 
 /* The family of a distribution and a masking: the stem of its kernel functions. */
 #define FAMILY_GGX_SMITH ggx
+#define FAMILY_BECKMANN_SMITH beckmann
+#define FAMILY_GGX_VCAVITY ggx_vcavity
+#define FAMILY_BECKMANN_VCAVITY beckmann_vcavity
 
 #define JOIN(a, b) a##b
 #define JOIN_EXPANDED(a, b) JOIN(a, b)

@@ -4,8 +4,9 @@
 # loop and jump there, and must call nothing.
 #
 # Known: processors before AVX-512 have no arithmetic on 64-bit integers to speak of, so double loops
-# through k_log, k_cbrt_start and arcs, which work on the bits or take too many of them, stay scalar. So do the
-# node tables of ggx_horizon_plane_table: a search, loops inside the loop.
+# through k_log, k_cbrt_start and arcs, which work on the bits or take too many of them, stay scalar, the draws
+# of Beckmann among them. So do the node tables of ggx_horizon_plane_table: a search, loops inside the loop;
+# and draws of beckmann_vcavity that prepare each row: too long a loop.
 set -eu
 
 objdump -d --no-show-raw-insn "$1" | awk '
@@ -13,7 +14,10 @@ objdump -d --no-show-raw-insn "$1" | awk '
         object = $1
         loops = object ~ /batch_(sse41|avx2|avx512|neon)_f(32|64)/
     }
-    BEGIN { known = "f64.*(ggx_slope|ggx_horizon_exact)_|ggx_horizon_plane_table" }
+    BEGIN {
+        known = "f64.*(ggx_slope|ggx_horizon_exact)_|f64.*beckmann_.*_sample|f64.*beckmann_horizon" \
+            "|beckmann_vcavity_(valid_)?sample_each|ggx_horizon_plane_table"
+    }
     /^[0-9a-f]+ <.*>:/ {
         name = object " " $2
         wanted = loops && $2 ~ /_(sample|eval)_(each|shared)>/

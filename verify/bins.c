@@ -202,10 +202,11 @@ static int fill_sheet(lobe_bins *bins, filling *f, int sheet, pilot_range rest) 
 }
 
 /* The error of a whole integral is at most this times the number of cells, and far less in
- * practice: the tolerance bounds what the last refinement changed. */
-static double tolerance(const lobe_verify_model *model) {
-    double least = model->has_jumps ? 4e-8 : 1e-10;
-    return fmax(least, 8 * model->rounding / 256);
+ * practice: the tolerance bounds what the last refinement changed. A jump takes four times the
+ * work for every digit: it gets what the draws of a level, which has its grid, can tell. */
+static double tolerance(const lobe_verify_model *model, int grid) {
+    double jump = fmax(4e-4 / ((double)grid * grid * grid), 1e-8);
+    return fmax(model->has_jumps ? jump : 1e-10, 8 * model->rounding / 256);
 }
 
 static int fill(lobe_bins *bins, const lobe_verify_model *model, const lobe_verify_model *exact,
@@ -245,7 +246,7 @@ static int make_bins(lobe_bins *bins, const lobe_verify_model *model, int grid, 
 }
 
 int lobe_bins_make(lobe_bins *bins, const lobe_verify_model *model, int grid, double cut) {
-    return make_bins(bins, model, grid, cut, tolerance(exact_of(model)));
+    return make_bins(bins, model, grid, cut, tolerance(exact_of(model), grid));
 }
 
 int lobe_bins_make_roughly(lobe_bins *bins, const lobe_verify_model *model, int grid, double cut) {
@@ -288,10 +289,10 @@ size_t lobe_bins_of_direction(const lobe_bins *bins, const lobe_verify_model *mo
 double lobe_density_integral(const lobe_verify_model *model) {
     field f = {.model = model};
     model->prepare(model->self, model->wi, &f.state);
-    double t = tolerance(model);
+    int grid = 16;
+    double t = model->has_jumps ? 1e-8 : tolerance(model, grid);
     lobe_integrand integrand = {evaluate_density, &f, 1, {t}};
     double sum = 0;
-    int grid = 16;
     int sheets = lobe_verify_is_sphere(model) ? 2 : 1;
     for (int cell = 0; cell < sheets * grid * grid; ++cell) {
         double integral[LOBE_CUBATURE_VALUES];

@@ -3,7 +3,6 @@
  * A sampled direction is rounded, so the density there is not exactly the density of the draw. How
  * much that may be is a property of the function and not of its code: the condition. Errors are
  * counted in units of (rounding unit) x (value + condition). */
-#include <float.h>
 #include <math.h>
 
 #include <lobe/random.h>
@@ -67,8 +66,15 @@ static double scale(const pair *p, direction_function function, const double wo[
     return sum;
 }
 
+/* The unit of an error. A number below the fourth power of the rounding unit is as good as none: that
+ * much of it an underflow may take. */
+static double unit_of(const lobe_verify_model *model, double scale) {
+    const double square = model->rounding * model->rounding;
+    return model->rounding * scale + square * square;
+}
+
 static void raise_to(double *worst, double error, double unit) {
-    *worst = lobe_worse(*worst, error / fmax(unit, DBL_MIN));
+    *worst = lobe_worse(*worst, error / unit);
 }
 
 /* Where rounding the direction changes the density by a good part, as about straight back, the
@@ -89,8 +95,8 @@ static void check_draw(const pair *p, const lobe_verify_draw *draw, worst *w) {
     if (is_blurred(model, density_at(p, draw->wo), density_scale)) return;
     /* The weight was rounded at the drawn normal, the other two at the direction. */
     double weight_scale = scale(p, value_at, draw->wo) + density * scale(p, weight_at, draw->wo);
-    raise_to(&w->density, fabs(draw->pdf - density), model->rounding * density_scale);
-    raise_to(&w->weight, fabs(draw->weight * density - value), model->rounding * weight_scale);
+    raise_to(&w->density, fabs(draw->pdf - density), unit_of(model, density_scale));
+    raise_to(&w->weight, fabs(draw->weight * density - value), unit_of(model, weight_scale));
     w->compared += 1;
 }
 
@@ -99,9 +105,9 @@ static void check_precision(const pair *p, const double wo[3], worst *w) {
     double density = density_at(p, wo);
     double value = value_at(p, wo);
     raise_to(&w->precision_density, fabs(p->model->density(&p->state, wo) - density),
-             p->model->rounding * scale(p, density_at, wo));
+             unit_of(p->model, scale(p, density_at, wo)));
     raise_to(&w->precision_value, fabs(p->model->value(&p->state, wo) - value),
-             p->model->rounding * scale(p, value_at, wo));
+             unit_of(p->model, scale(p, value_at, wo)));
 }
 
 static int has_two_sides(const lobe_verify_model *model) {
@@ -130,9 +136,9 @@ static void check_reciprocity(const pair *p, const double wo[3], worst *w) {
     prepare_pair(&back, p->model, wo);
     double there = p->model->value(&p->state, wo) / fabs(wo[2]);
     double here = ratio * p->model->value(&back.state, wi) / fabs(wi[2]);
-    double unit =
+    double both =
         scale(p, value_at, wo) / fabs(wo[2]) + ratio * scale(&back, value_at, wi) / fabs(wi[2]);
-    raise_to(&w->reciprocity, fabs(there - here), p->model->rounding * unit);
+    raise_to(&w->reciprocity, fabs(there - here), unit_of(p->model, both));
 }
 
 static void check_support(const pair *p, const double wo[3], worst *w) {

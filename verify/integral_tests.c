@@ -49,8 +49,10 @@ static void test_coverage(const lobe_bins *bins, lobe_report *report) {
 static void test_albedo(const lobe_verify_model *model, const lobe_bins *bins,
                         lobe_report *report) {
     if (isnan(model->albedo_oracle)) return;
+    /* of a kink all around the normal, whose errors add up */
+    double limit = model->has_jumps ? 2e-5 : 1e-7;
     lobe_report_error(report, "albedo", fabs(bins->value - model->albedo_oracle),
-                      integral_limit(model), "%.9f, closed form %.9f", bins->value,
+                      limit + 64 * model->rounding, "%.9f, closed form %.9f", bins->value,
                       model->albedo_oracle);
 }
 

@@ -72,6 +72,13 @@ static void round_parameters(lobe_reflection_parameters *p, lobe_precision preci
     p->alpha_y = rounded(p->alpha_y, precision);
 }
 
+/* G1 of a V-cavity has a kink, and `vcavity-valid` jumps where the other side begins to leave; the density of
+ * Beckmann's `horizon` has no bound at two points of the horizon. */
+static int is_rough(lobe_model row) {
+    int is_beckmann_horizon = row.ndf == LOBE_NDF_BECKMANN && row.method == LOBE_METHOD_HORIZON;
+    return row.masking == LOBE_MASKING_VCAVITY || is_beckmann_horizon;
+}
+
 void lobe_reflection_subject_make(lobe_reflection_subject *subject,
                                   lobe_reflection_parameters parameters, lobe_precision precision) {
     lobe_reflection_subject_name(parameters, precision, subject->name, sizeof subject->name,
@@ -96,6 +103,7 @@ void lobe_reflection_subject_make(lobe_reflection_subject *subject,
         model->chart = lobe_plane_chart_view(&subject->plane_chart);
         model->has_jumps = 1; /* kinks, where one plane takes over from the other */
     }
+    if (is_rough(parameters.options.model)) model->has_jumps = 1;
     model->is_reciprocal = 1;
     model->is_mirror = fmax(parameters.alpha_x, parameters.alpha_y) < LOBE_ALPHA_MIN;
 

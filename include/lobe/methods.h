@@ -4,10 +4,10 @@
 #define LOBE_METHODS_H
 
 /* Distributions of normals: X(IDENTIFIER, "name") */
-#define LOBE_NDFS(X) X(GGX, "ggx")
+#define LOBE_NDFS(X) X(GGX, "ggx") X(BECKMANN, "beckmann")
 
 /* Masking of the microsurface: X(IDENTIFIER, "name") */
-#define LOBE_MASKINGS(X) X(SMITH, "smith")
+#define LOBE_MASKINGS(X) X(SMITH, "smith") X(VCAVITY, "vcavity")
 
 /* Sampling methods: X(IDENTIFIER, "name on the command line", "what it is, and its source") */
 #define LOBE_METHODS(X)                                                                            \
@@ -15,6 +15,12 @@
     X(SLOPE_PUBLISHED, "slope-published",                                                          \
       "visible slopes with the printed rational fit (Heitz & d'Eon 2014); fails chi^2 tests")      \
     X(SLOPE, "slope", "visible slopes, every inversion exact (after Heitz & d'Eon 2014)")          \
+    X(NEWTON_PUBLISHED, "newton-published",                                                        \
+      "visible slopes by three unguarded Newton steps (Jakob 2014), for comparison")               \
+    X(NEWTON, "newton", "visible slopes by a bracketed inversion (after Jakob 2014)")              \
+    X(VCAVITY, "vcavity", "V-cavities (Heitz & d'Eon 2014, Tokuyoshi 2021)")                       \
+    X(VCAVITY_VALID, "vcavity-valid",                                                              \
+      "the same; of a mirrored pair, the normal that reflects upward (docs/departures.md)")        \
     X(ELLIPSOID, "ellipsoid", "projected ellipsoid (Heitz 2018)")                                  \
     X(CAPS, "caps", "spherical caps (Dupuy & Benyoub 2023)")                                       \
     X(BOUNDED, "bounded", "bounded caps (Eto & Tokuyoshi 2023, 2024)")                             \
@@ -41,6 +47,17 @@
     X(GGX, SMITH, HORIZON_MIRROR, ggx_horizon_mirror)                                              \
     X(GGX, SMITH, HORIZON_EXACT, ggx_horizon_exact)                                                \
     X(GGX, SMITH, HORIZON_UNIFORM, ggx_horizon_uniform)                                            \
-    X(GGX, SMITH, HORIZON, ggx_horizon)
+    X(GGX, SMITH, HORIZON, ggx_horizon)                                                            \
+    X(BECKMANN, SMITH, NDF, beckmann_ndf)                                                          \
+    X(BECKMANN, SMITH, SLOPE, beckmann_slope)                                                      \
+    X(BECKMANN, SMITH, NEWTON_PUBLISHED, beckmann_newton_published)                                \
+    X(BECKMANN, SMITH, NEWTON, beckmann_newton)                                                    \
+    X(BECKMANN, SMITH, HORIZON, beckmann_horizon)                                                  \
+    X(GGX, VCAVITY, NDF, ggx_vcavity_ndf)                                                          \
+    X(GGX, VCAVITY, VCAVITY, ggx_vcavity)                                                          \
+    X(GGX, VCAVITY, VCAVITY_VALID, ggx_vcavity_valid)                                              \
+    X(BECKMANN, VCAVITY, NDF, beckmann_vcavity_ndf)                                                \
+    X(BECKMANN, VCAVITY, VCAVITY, beckmann_vcavity)                                                \
+    X(BECKMANN, VCAVITY, VCAVITY_VALID, beckmann_vcavity_valid)
 
 #endif

@@ -65,11 +65,12 @@ typedef struct lobe_model {
     lobe_method method;
 } lobe_model;
 
-/* Masking-shadowing: height-correlated G2 = 1/(1 + Lambda_i + Lambda_o), or separable G1(i) G1(o). */
+/* Masking-shadowing: height-correlated G2 = 1/(1 + Lambda_i + Lambda_o), of V-cavities min(G1(i), G1(o));
+ * or separable G1(i) G1(o). */
 typedef enum lobe_g2 { LOBE_G2_CORRELATED, LOBE_G2_SEPARABLE } lobe_g2;
 
 /* Normaliser of the visible normals for wi.z < 0: the exact one, or 1/G1(|wi.z|) as before
- * Tokuyoshi 2021: biased (too bright), for comparison only. No effect for wi.z >= 0 or `ndf`. */
+ * Tokuyoshi 2021 (V-cavities: without the hit probability): biased (too bright), for comparison only. No effect for wi.z >= 0 or `ndf`. */
 typedef enum lobe_normalization {
     LOBE_NORMALIZATION_UNBIASED,
     LOBE_NORMALIZATION_PREVIOUS
@@ -79,7 +80,8 @@ typedef struct lobe_reflection_options {
     lobe_model model;
     lobe_g2 g2;
     lobe_normalization normalization;
-    double floor; /* `horizon` only, in [0, 1]: how much of its density ignores shadowing; 0.25 */
+    double
+        floor; /* GGX `horizon` only, in [0, 1]: how much of its density ignores shadowing; 0.25 */
 } lobe_reflection_options;
 
 /* Smith-GGX by its best method, height-correlated G2, unbiased normalisation. Start from it. */
@@ -144,8 +146,9 @@ typedef struct lobe_reflection_draw_f64 {
 
 /* All there is to know about a pair of directions. */
 typedef struct lobe_reflection_eval_f32 {
-    float d;      /* D(m), per steradian */
-    float g1_i;   /* G1(wi); for wi.z < 0 the normaliser 2|wi.z|/(wi.z + t), above 1 */
+    float d; /* D(m), per steradian */
+    float
+        g1_i; /* G1(wi); Smith for wi.z < 0 the normaliser |wi.z|/(visible area), above 1; V-cavity G1/H */
     float g1_o;   /* G1(wo); 0 for wo.z <= 0 */
     float g2;     /* G2(wi, wo) = g1_i * (G2/G1) */
     float pdf_m;  /* density of the method at m over the sphere of normals */
@@ -183,7 +186,7 @@ LOBE_API lobe_reflection_f64 lobe_reflection_prepare_above_f64(lobe_reflection_o
                                                                double alpha_y,
                                                                lobe_vec3_f64 geometric_normal);
 
-/* Draw wo. u3 is read by `horizon-mirror` only, and must be random there. */
+/* Draw wo. u3 is read by `horizon-mirror` and V-cavities only, and must be random there. */
 LOBE_API lobe_reflection_draw_f32 lobe_reflection_sample_f32(const lobe_reflection_f32 *model,
                                                              float u1, float u2, float u3);
 LOBE_API lobe_reflection_draw_f64 lobe_reflection_sample_f64(const lobe_reflection_f64 *model,
@@ -205,7 +208,8 @@ LOBE_API lobe_reflection_eval_f64 lobe_reflection_eval_m_f64(const lobe_reflecti
                                                              lobe_vec3_f64 m);
 
 /* The share of draws that is not rejected, in closed form (docs/optimal-caps.md): 2 a b nu/(1 - kappa)
- * for Smith-GGX. Negative where none is known: `ndf`, a tilted geometric normal. */
+ * for Smith-GGX. Negative where none is known: `ndf`, a tilted geometric normal, from above Beckmann (but
+ * `horizon`, which rejects nothing) and V-cavities. */
 LOBE_API float lobe_reflection_acceptance_f32(const lobe_reflection_f32 *model);
 LOBE_API double lobe_reflection_acceptance_f64(const lobe_reflection_f64 *model);
 

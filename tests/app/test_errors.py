@@ -9,8 +9,8 @@ BAD_VALUES = {
     "--floor": ["-0.1", "1.1", "nan", "inf", "x", "0,1", ""],
     "--geometric-normal": ["0,0,0", "1,0", "nan,0,1", "0,0,-1", ""],
     "--method": ["", "newton", "OPTIMAL", "optimal ", "best"],
-    "--ndf": ["beckmann", ""],
-    "--masking": ["vcavity", ""],
+    "--ndf": ["phong", ""],
+    "--masking": ["v-cavity", ""],
     "--precision": ["f16", "32", ""],
     "--g2": ["none", ""],
     "--fresnel": ["", "2", "-0.1", "nan", "f82:", "f82:0.5", "f82:0.5,2", "dielectric:0",
@@ -48,6 +48,7 @@ class ErrorTest(ProgramTest):
     def test_floor_goes_with_horizon(self):
         for command in ("sample", "eval"):
             self.rejected(command, *MODEL, "--method", "caps", "--floor", "0.1", where="--floor")
+            self.rejected(command, *MODEL, "--ndf", "beckmann", "--floor", "0.1", where="--floor")
         self.rejected("render", "furnace", "--json", "--floor", "0.1", where="--floor")
 
     def test_sample_values(self):

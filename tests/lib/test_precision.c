@@ -40,8 +40,8 @@ static void compare_precisions(lobe_model row, const double *alpha, double angle
         case_random((uint64_t)row.method, (uint64_t)k, &u1, &u2);
         /* away from the tail of the lobe, where the half vector itself is lost to rounding */
         float f1 = (float)u1, f2 = (float)(0.98 * u2);
-        lobe_reflection_draw_f32 a = lobe_reflection_sample_f32(&single, f1, f2, 0);
-        lobe_reflection_draw_f64 b = lobe_reflection_sample_f64(&twice, f1, f2, 0);
+        lobe_reflection_draw_f32 a = lobe_reflection_sample_f32(&single, f1, f2, 0.3f);
+        lobe_reflection_draw_f64 b = lobe_reflection_sample_f64(&twice, f1, f2, 0.3f);
         if (a.pdf == 0 || b.pdf == 0) continue;
         worst->direction = fmax(worst->direction, distance(b.wo, a.wo));
         /* the density of the float draw, against double at the very normal that was drawn */
@@ -50,19 +50,35 @@ static void compare_precisions(lobe_model row, const double *alpha, double angle
     }
 }
 
+/* Far below the horizon a normal in float does not tell visible slopes of Beckmann apart. */
+static int is_beyond_float(lobe_ndf ndf, const double *alpha, double angle) {
+    return ndf == LOBE_NDF_BECKMANN &&
+           1 / tan(angle * CASES_PI / 180) < -10 * fmin(alpha[0], alpha[1]);
+}
+
+/* All normals have a density over i.m, which loses its digits where it is small, and roots and error
+ * functions as printed cancel by nature. */
+static worst_case bounds_of(lobe_model row) {
+    worst_case bounds = {3e-4, row.method == LOBE_METHOD_NDF ? 2e-3 : 3e-4};
+    if (row.method == LOBE_METHOD_SLOPE_PUBLISHED || row.method == LOBE_METHOD_NEWTON_PUBLISHED)
+        bounds.direction = INFINITY;
+    return bounds;
+}
+
 static void float_follows_double(void **state) {
     (void)state;
     for (int m = 0; m < lobe_model_count(); ++m) {
-        worst_case worst = {0, 0};
+        const lobe_model row = lobe_model_at(m);
+        worst_case worst = {0, 0}, bounds = bounds_of(row);
         for (size_t a = 0; a < sizeof alphas / sizeof *alphas; ++a)
             for (size_t d = 0; d < sizeof degrees / sizeof *degrees; ++d)
-                compare_precisions(lobe_model_at(m), alphas[a], degrees[d], &worst);
-        printf("%-16s direction %.2g density %.2g\n", lobe_method_name(lobe_model_at(m).method),
-               worst.direction, worst.density);
-        assert_true(worst.density < 3e-4);
-        /* the printed root formula cancels by nature */
-        if (lobe_model_at(m).method != LOBE_METHOD_SLOPE_PUBLISHED)
-            assert_true(worst.direction < 3e-4);
+                if (!is_beyond_float(row.ndf, alphas[a], degrees[d]))
+                    compare_precisions(row, alphas[a], degrees[d], &worst);
+        printf("%-8s %-7s %-16s direction %.2g density %.2g\n", lobe_ndf_name(row.ndf),
+               lobe_masking_name(row.masking), lobe_method_name(row.method), worst.direction,
+               worst.density);
+        assert_true(worst.density < bounds.density);
+        assert_true(worst.direction < bounds.direction);
     }
 }
 

@@ -7,22 +7,44 @@
 
 #include "pictures.h"
 
+#include <string.h>
+
+/* Few samples say nothing about the mean of unbounded weights (all normals), and a published error is
+ * one. */
+static int is_left_out(lobe_method method) {
+    return method == LOBE_METHOD_NDF || method == LOBE_METHOD_SLOPE_PUBLISHED ||
+           method == LOBE_METHOD_NEWTON_PUBLISHED;
+}
+
+static int is_usual(lobe_model model) {
+    return model.ndf == LOBE_NDF_GGX && model.masking == LOBE_MASKING_SMITH;
+}
+
+/* With the first method of the same surface; the tables of brushed coats take long to make and are made for
+ * one surface. */
 static void methods_agree(void **state) {
     const char *name = *state;
+    const int only_usual = strcmp(name, "gallery") == 0;
     lobe_scene *scene = load(name);
     lobe_render_options o = small(32, 32, 24);
     o.depth = 3;
-    o.reflection.model.method = LOBE_METHOD_CAPS;
-    block_means expected = measure(scene, o);
-    /* all normals (ndf) have unbounded weights: few samples say nothing about its mean */
-    for (int m = 2; m < lobe_model_count(); ++m) {
-        o.reflection.model = lobe_model_at(m);
+    lobe_model first = lobe_model_at(-1);
+    block_means expected;
+    for (int m = 0; m < lobe_model_count(); ++m) {
+        const lobe_model model = lobe_model_at(m);
+        if (is_left_out(model.method) || (only_usual && !is_usual(model))) continue;
+        o.reflection.model = model;
         o.seed = 77 + (uint64_t)m;
         block_means means = measure(scene, o);
+        if (model.ndf != first.ndf || model.masking != first.masking) {
+            first = model;
+            expected = means;
+            continue;
+        }
         double z = disagreement(&means, &expected);
         if (!(z < 2.2))
-            fail_msg("%s: %s is off by %g standard errors", name,
-                     lobe_method_name(lobe_model_at(m).method), z);
+            fail_msg("%s: %s %s %s is off by %g standard errors", name, lobe_ndf_name(model.ndf),
+                     lobe_masking_name(model.masking), lobe_method_name(model.method), z);
     }
     lobe_scene_free(scene);
 }
