@@ -134,7 +134,7 @@ static int is_solid(const material *m) {
     return m->transmission > 0.0f && m->thickness > 0.0f;
 }
 
-static surface surface_of(const integrator *k, const hit_point *h, vec3 to_viewer) {
+static surface surface_of(const integrator *k, const hit_point *h, vec3 to_viewer, glass *room) {
     const material *m = h->material;
     vec3 packed = sample_map(k->scene, &m->surface_map, h, v3_all(1.0f));
     vec3 base_color = base_color_at(k->scene, h);
@@ -160,7 +160,7 @@ static surface surface_of(const integrator *k, const hit_point *h, vec3 to_viewe
                             base_color,
                             alpha * (1.0f + anisotropy),
                             alpha * (1.0f - anisotropy)};
-        lobe_surface_add_glass(&s, &k->surface, g, to_viewer, h->is_back);
+        lobe_surface_add_glass(&s, room, &k->surface, g, to_viewer, h->is_back);
     }
     return s;
 }
@@ -211,7 +211,7 @@ static vec3 lift(const hit_point *h, int is_beyond) {
 }
 
 static int goes_through(const hit_point *h, const surface *s, vec3 direction) {
-    return s->glass.material.share > 0.0f && v3_dot(direction, h->geometric) < 0.0f;
+    return s->glass && v3_dot(direction, h->geometric) < 0.0f;
 }
 
 /* The solid in which the path goes on. */
@@ -370,8 +370,7 @@ static void go_on(path *p, const hit_point *h, const surface *surface, vec3 dire
 static int scatter(path *p, const hit_point *h, const surface *surface, int scatterings) {
     sampler_point point = lobe_sampler_next(p->points);
     float side = 0.0f;
-    if (surface->glass.material.share > 0.0f)
-        side = sampler_unit(lobe_sampler_next(p->points).bits[0]);
+    if (surface->glass) side = sampler_unit(lobe_sampler_next(p->points).bits[0]);
     surface_draw d =
         lobe_surface_draw(surface, sampler_unit(point.bits[0]), sampler_unit(point.bits[1]),
                           sampler_unit(point.bits[2]), side);
@@ -413,6 +412,7 @@ film_sample lobe_trace_path(const integrator *k, vec3 origin, vec3 direction, sa
               .spread = 1.0f,
               .is_camera = 1,
               .sample.vndf_integral = 1.0f};
+    glass room;
     for (int scatterings = 0;; scatterings++) {
         ray_hit hit;
         if (!meet_surface(&p, &hit)) {
@@ -425,7 +425,7 @@ film_sample lobe_trace_path(const integrator *k, vec3 origin, vec3 direction, sa
         if (p.inside)
             p.throughput = absorbed(p.inside, p.throughput, v3_length(v3_sub(h.position, p.place)));
         add_met_light(&p, h.emission, lamp_pdf(k->scene, &h, p.direction));
-        surface s = surface_of(k, &h, v3_neg(p.direction));
+        surface s = surface_of(k, &h, v3_neg(p.direction), &room);
         if (scatterings == 0) keep_first_hit(&p, &h, &s);
         if (scatterings == k->depth || h.material->is_unlit) break;
         add_drawn_light(&p, &h, &s);

@@ -86,15 +86,20 @@ surface lobe_surface_at(const surface_options *options, frame shading, vec3 geom
     return s;
 }
 
-void lobe_surface_add_glass(surface *s, const surface_options *options, glass_material glass,
-                            vec3 to_viewer, int is_back) {
+void lobe_surface_add_glass(surface *s, glass *room, const surface_options *options,
+                            glass_material material, vec3 to_viewer, int is_back) {
     glass_options o = {options->ggx, options->multiscatter != LOBE_MULTISCATTER_NONE};
-    s->glass = lobe_glass_at(&o, glass, s->frame, s->geometric, to_viewer, is_back);
+    *room = lobe_glass_at(&o, material, s->frame, s->geometric, to_viewer, is_back);
+    s->glass = room;
+}
+
+static float glass_share(const surface *s) {
+    return s->glass ? s->glass->material.share : 0.0f;
 }
 
 int lobe_surface_is_clear(const surface *s) {
-    float share = s->glass.material.share;
-    if (share > 0.0f && !lobe_glass_is_clear(&s->glass)) return 0;
+    float share = glass_share(s);
+    if (share > 0.0f && !lobe_glass_is_clear(s->glass)) return 0;
     return share >= 1.0f || (s->ggx.is_mirror && s->specular >= 1.0f);
 }
 
@@ -123,9 +128,9 @@ static vec3 opaque_value(const surface *s, vec3 direction, float *pdf) {
 }
 
 vec3 lobe_surface_value(const surface *s, vec3 direction, float *pdf) {
-    float share = s->glass.material.share;
+    float share = glass_share(s);
     if (!(share > 0.0f)) return opaque_value(s, direction, pdf);
-    vec3 value = v3_scale(lobe_glass_value(&s->glass, direction, pdf), share);
+    vec3 value = v3_scale(lobe_glass_value(s->glass, direction, pdf), share);
     if (share >= 1.0f) return value;
     float pdf_of_rest;
     vec3 rest = opaque_value(s, direction, &pdf_of_rest);
@@ -184,12 +189,12 @@ static surface_draw among_others(const surface *s, surface_draw d, float probabi
 }
 
 surface_draw lobe_surface_draw(const surface *s, float choice, float u1, float u2, float side) {
-    float share = s->glass.material.share;
+    float share = glass_share(s);
     if (!(share > 0.0f)) return draw_opaque(s, choice, u1, u2);
     if (!(choice < share))
         return among_others(s, draw_opaque(s, (choice - share) / (1.0f - share), u1, u2),
                             1.0f - share);
-    glass_draw g = lobe_glass_draw(&s->glass, u1, u2, choice / share, side);
+    glass_draw g = lobe_glass_draw(s->glass, u1, u2, choice / share, side);
     surface_draw d = {g.direction, g.weight, g.pdf, g.is_point, 1};
     return share < 1.0f ? among_others(s, d, share) : d;
 }

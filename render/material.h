@@ -31,7 +31,7 @@ typedef struct surface {
     vec3 rest;              /* colour of the metal's second lobe: its f is rest * (1 - E(o)) */
     vec3 factor;            /* on the metal's first */
     float specular;         /* probability of drawing from the GGX */
-    glass glass;            /* its share: also the probability of drawing from it */
+    const glass *glass;     /* NULL: none; its share is also the probability of drawing from it */
 } surface;
 
 typedef struct surface_draw {
@@ -53,9 +53,10 @@ surface lobe_surface_at(const surface_options *options, frame shading, vec3 geom
                         vec3 to_viewer, vec3 base_color, float metallic, float roughness,
                         float anisotropy);
 
-/* Puts glass in place of a share of a surface; what was there stays as the rest. */
-void lobe_surface_add_glass(surface *s, const surface_options *options, glass_material glass,
-                            vec3 to_viewer, int is_back);
+/* Puts glass in place of a share of a surface; what was there stays as the rest. It is kept in `room`,
+ * which few surfaces need and all would pay for. */
+void lobe_surface_add_glass(surface *s, glass *room, const surface_options *options,
+                            glass_material material, vec3 to_viewer, int is_back);
 
 /* `side` is read by glass only: reflected or transmitted. */
 surface_draw lobe_surface_draw(const surface *s, float choice, float u1, float u2, float side);

@@ -49,6 +49,6 @@ void lobe_scene_glass(lobe_scene *s) {
     lobe_shape_quad(s, lamp, v3(-2.6f, 4.6f, 2.6f), v3(0.0f, 0.0f, -2.4f), v3(3.6f, 0.0f, 0.0f));
     add_wall(s);
     add_spheres(s);
-    lobe_scene_add_camera(s, "glass", v3(0.4f, 1.9f, 8.0f), v3(0.0f, 0.6f, 0.0f),
-                          v3(0.0f, 1.0f, 0.0f), 28.0f);
+    lobe_scene_add_camera(s, "glass", v3(0.4f, 1.7f, 8.0f), v3(0.0f, 0.65f, 0.0f),
+                          v3(0.0f, 1.0f, 0.0f), 26.0f);
 }
