@@ -67,9 +67,9 @@ K_FN facet_draw ggx_horizon_mirror_draw(ggx_horizon_mirror s, real u1, real u2, 
 
 /* Worst errors of a draw in float, 4 10^6 random inputs (tools/numerics/sampler_error.c: roughness
  * 0.01 to 2, u2 up to 0.98, either side).
- * wo:  1.5e-05 at wi (-0x1.c4e35cp-3, -0x1.ec6ff4p-4, -0x1.ef8404p-1),
- *      alpha (0x1.64fa66p-7, 0x1.64fa66p-7) u (0x1.b8e942p-1, 0x1.e1101p-1)
- * pdf: 2.1e-06 relative at wi (0x1.d1920cp-2, -0x1.28606p-1, 0x1.5a93dep-1),
- *      alpha (0x1.6c466ep-6, 0x1.6c466ep-6) u (0x1.2df45p-1, 0x1.f1ff18p-1) */
+ * wo:  1.6e-05 at wi (-0x1.c7c83ep-5, 0x1.614746p-4, -0x1.fd4bc8p-1),
+ *      alpha (0x1.627266p-7, 0x1.627266p-7) u (0x1.ccc282p-1, 0x1.f537dep-1)
+ * pdf: 2.3e-06 relative at wi (-0x1.21be3p-3, 0x1.567962p-3, -0x1.f390fcp-1),
+ *      alpha (0x1.e43c0cp-6, 0x1.6d6364p-4) u (0x1.487c4p-1, 0x1.dfe8a2p-1) */
 
 #endif

@@ -47,11 +47,11 @@ K_FN real ggx_horizon_plane_ellipse_acceptance(ggx_horizon_plane_ellipse s) {
 
 /* Worst errors of a draw in float, 2 10^6 random inputs as in kernel/ggx_horizon_plane_table.h; two draws whose
  * u3 lay within rounding of the choice between y and -y are left out.
- * wo:  6.6e-06 at wi (0x1.276174p-2, -0x1.76473ap-1, 0x1.3c9e6p-1),
- *      plane (0x1.09903p-2, -0x1.600cb8p-1, 0x1.5b3cdcp-1), alpha (0x1.d7f424p-1, 0x1.653f28p-4),
- *      u (0x1.bf5078p-3, 0x1.a9b206p-1, 0x1.ca5d2cp-1); one in 1000 above 1e-06
- * pdf: 4.0e-06 relative at wi (0x1.856e7ap-1, -0x1.4a7bf2p-1, 0x1.1ccb3p-4),
- *      plane (0x1.59547ep-1, 0x1.2cd976p-3, 0x1.72739p-1), alpha (0x1.cbb79ep-5, 0x1.e5dae4p+0),
- *      u (0x1.291a5p-1, 0x1.99a64ap-1, 0x1.67e86cp-1); one in 1000 above 1.2e-06 */
+ * wo:  9.9e-06 at wi (-0x1.33362cp-1, 0x1.f48ac6p-2, 0x1.443c98p-1),
+ *      plane (-0x1.7c08a4p-1, -0x1.f38414p-7, 0x1.570324p-1), alpha (0x1.9a92f6p-5, 0x1.99c62ep-5),
+ *      u (0x1.f70796p-1, 0x1.bd0116p-1, 0x1.ea47cep-1); one in 1000 above 1e-06
+ * pdf: 3.9e-06 relative at wi (0x1.cc6f3cp-2, 0x1.b3496cp-1, -0x1.187edp-2),
+ *      plane (0x1.37feap-1, 0x1.12b612p-1, 0x1.2ae4a4p-1), alpha (0x1.7912aap+0, 0x1.99e3a4p-5),
+ *      u (0x1.7a2e04p-1, 0x1.019fcap-1, 0x1.2f6f74p-1); one in 1000 above 1.2e-06 */
 
 #endif

@@ -1,5 +1,5 @@
-/* kernel/ggx_horizon_plane_table.h: `horizon` and `horizon-uniform` where the geometric plane is not the
- * shading plane: reflections that leave both (kernel/ggx_horizon_plane_ray.h), none other, more of them
+/* kernel/ggx_horizon_plane_table.h: `horizon` where the geometric plane is not the shading
+ * plane: reflections that leave both (kernel/ggx_horizon_plane_ray.h), none other, more of them
  * where shadowing lets more light through (kernel/ggx_horizon_plane_nodes.h). First the azimuth by the
  * nodes, then the radius. Valid for wi on the front of the geometric plane, above or below the shading
  * plane. docs/horizon-planes.md has the derivation and what was measured. */

@@ -46,4 +46,14 @@ K_FN real ggx_horizon_plane_uniform_acceptance(ggx_horizon_plane_uniform s) {
     return R(-1.0);
 }
 
+/* Worst errors of a draw in float, 2 10^6 random inputs as in kernel/ggx_horizon_plane_table.h
+ * (tools/numerics/plane_error.c); two draws where both ellipses have the same area but for rounding are left
+ * out.
+ * wo:  1.1e-05 at wi (0x1.2ac206p-1, -0x1.9cd448p-1, -0x1.8cc428p-4),
+ *      plane (0x1.921116p-1, -0x1.5ad574p-3, 0x1.30e812p-1), alpha (0x1.308db8p-4, 0x1.34f3d6p+0),
+ *      u (0x1.d9f03p-4, 0x1.d0e0ap-1); one in 1000 above 1.2e-06
+ * pdf: 1.5e-05 relative at wi (-0x1.36e10ap-1, 0x1.50142ep-4, 0x1.94a3ccp-1),
+ *      plane (-0x1.40da6cp-1, 0x1.8795ap-2, 0x1.5ba72cp-1), alpha (0x1.72d774p-3, 0x1.9006b8p-2),
+ *      u (0x1.cc4f8ep-1, 0x1.de3d72p-18); one in 1000 above 1.4e-06 */
+
 #endif

@@ -111,9 +111,9 @@ K_FN facet_draw ggx_horizon_uniform_draw(ggx_horizon_uniform s, real u1, real u2
 /* Worst errors of a draw in float, 4 10^6 random inputs (tools/numerics/sampler_error.c: roughness
  * 0.01 to 2, u2 up to 0.98, either side). The density is
  * worst from behind where i.m -> 0: it is divided by that.
- * wo:  0.00013 at wi (0x1.e00ea4p-6, 0x1.725deep-1, -0x1.61322p-1),
- *      alpha (0x1.c3014ap-3, 0x1.db0e0cp-7) u (0x1.5fa188p-2, 0x1.eca4d2p-1)
- * pdf: 0.00022 relative at wi (0x1.3511ecp-4, 0x1.d9c9a6p-4, -0x1.fb17fcp-1),
+ * wo:  0.00018 at wi (-0x1.688c28p-7, -0x1.18157ap-2, -0x1.ec7184p-1),
+ *      alpha (0x1.7a66ap-3, 0x1.47d03ap-7) u (0x1.1ce658p-3, 0x1.bb3718p-1)
+ * pdf: 0.00035 relative at wi (0x1.3511ecp-4, 0x1.d9c9a6p-4, -0x1.fb17fcp-1),
  *      alpha (0x1.cceec8p-7, 0x1.cceec8p-7) u (0x1.48efp-1, 0x1.e95ffp-1) */
 
 #endif

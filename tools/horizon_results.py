@@ -15,6 +15,7 @@ An error bar is one standard error, from the spread over the seeds.
 import argparse
 import fnmatch
 import json
+import os
 import subprocess
 import tempfile
 from pathlib import Path
@@ -229,8 +230,8 @@ def value_table(results, value):
 
 # ---- Plots -------------------------------------------------------------------------------------
 
-SHOWN = [("optimal", "#8a8a8a"), ("horizon-mirror", "#2a78d6"), ("horizon-uniform", "#1baf7a"),
-         ("horizon 0.1", "#eb6834")]
+SHOWN = [("optimal", "#8a8a8a"), ("horizon-uniform", "#2a78d6"), ("horizon 0.25", "#1baf7a"),
+         ("default", "#eb6834")]
 STYLE = """text{font:13px sans-serif;fill:#222}.faint{stroke:#ddd}.one{stroke:#777}
 @media(prefers-color-scheme:dark){svg{background:#161616}text{fill:#e4e4e4}.faint{stroke:#333}.one{stroke:#999}}"""
 
@@ -268,6 +269,14 @@ def plot(results, with_time, title_text):
     return "\n".join(out + ["</svg>"]) + "\n"
 
 
+def machine():
+    """The processor's name and how many of it."""
+    for line in Path("/proc/cpuinfo").read_text().splitlines():
+        if line.startswith("model name"):
+            return f"{os.cpu_count()} cores of {line.split(':')[1].strip()}"
+    return f"{os.cpu_count()} cores"
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     sizes = parser.add_mutually_exclusive_group()
@@ -299,7 +308,7 @@ def main():
     kind = " --quick" if arguments.quick else " --full" if arguments.full else ""
     arguments.out.write_text(f"""# Horizon sampling: what was measured
 
-Written by `tools/horizon_results.py{kind}`. The article is [horizon-sampling.md](horizon-sampling.md).
+Written by `tools/horizon_results.py{kind}` on {machine()}. The article is [horizon-sampling.md](horizon-sampling.md).
 
 ## White furnace
 
@@ -307,7 +316,8 @@ Written by `tools/horizon_results.py{kind}`. The article is [horizon-sampling.md
 ## In the path tracer: error at equal samples
 
 relMSE of `bounded` over that of the method, with emitter sampling; {size}, {spp} samples a pixel, {seeds} seeds.
-`horizon-uniform` stands for δ = 1. Last column: the largest standard error of a number of the row.
+`horizon-uniform` stands for δ = 1, in the smaller ellipse under normal maps; `default` is what `lobe render` takes
+by surface where no method is asked for. Last column: the largest standard error of a number of the row.
 
 ![Gains at equal samples](horizon-samples.svg)
 
