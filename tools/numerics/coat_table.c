@@ -9,7 +9,7 @@
 #include <stdio.h>
 
 int main(void) {
-    static coat_table t;
+    static coat_table t = {.ior = COAT_IOR};
     if (!lobe_coat_build(&t, LOBE_NDF_GGX, LOBE_MASKING_SMITH, LOBE_G2_CORRELATED, 1)) return 1;
     printf("/* Made by tools/numerics/coat_table.c. */\n{");
     for (int r = 0; r < COAT_ROWS; ++r) {
