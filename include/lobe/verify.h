@@ -56,7 +56,7 @@ LOBE_BEGIN_C
  * `only`, full runs every k-th case of each model, the first one shifted from model to model, so
  * that the two precisions of a method share out its configurations: as many cases as
  * LOBE_VERIFY_FULL_CASES allow, which bounds the time whatever the length of the list. */
-#define LOBE_VERIFY_FULL_CASES 450
+#define LOBE_VERIFY_FULL_CASES 400
 typedef enum lobe_verify_level { LOBE_VERIFY_QUICK, LOBE_VERIFY_FULL } lobe_verify_level;
 
 typedef enum lobe_verify_kind {
