@@ -57,8 +57,9 @@ LOBE_BEGIN_C
 /* quick: about 10^5 draws a case, seconds in all. full: 10^8 draws a case and finer bins. Without
  * `only`, full runs every k-th case of each model, the first one shifted from model to model, so
  * that the two precisions of a method share out its configurations (those of the dielectrics, whose
- * only models they are, at least once each): about as many cases as LOBE_VERIFY_FULL_CASES allow, which bounds the time whatever the length of the list. */
-#define LOBE_VERIFY_FULL_CASES 450
+ * only models they are, at least once each): about as many cases as LOBE_VERIFY_FULL_CASES allow,
+ * which bounds the time whatever the length of the list. */
+#define LOBE_VERIFY_FULL_CASES 400
 typedef enum lobe_verify_level { LOBE_VERIFY_QUICK, LOBE_VERIFY_FULL } lobe_verify_level;
 
 typedef enum lobe_verify_kind {
