@@ -6,7 +6,9 @@
 #include <lobe/random.h>
 #include <lobe/walk.h>
 
+#include "albedo_dielectric.h"
 #include "commands.h"
+#include "dielectric.h"
 #include "interrupt.h"
 #include "model.h"
 #include "number.h"
@@ -51,7 +53,8 @@ static bool read_cosines(const lobe_app_option *option, const char *text, void *
     cosine_list *list = value;
     list->count = lobe_app_read_numbers(text, 1, COSINES_MAX, list->value);
     bool is_good = list->count > 0;
-    for (int i = 0; i < list->count; i++) is_good &= list->value[i] > 0 && list->value[i] <= 1;
+    for (int i = 0; i < list->count; i++)
+        is_good &= list->value[i] != 0 && fabs(list->value[i]) <= 1;
     if (!is_good)
         lobe_app_report(option->name, "give up to 256 cosines above 0 and up to 1, as in 0.1,0.5,1",
                         "cannot use '%.60s'", text);
@@ -92,9 +95,13 @@ static bool read_laws(const lobe_app_option *option, const char *text, void *val
 
 #define MEMBER(name) offsetof(albedo_values, name)
 static const lobe_app_option options[] = {
-    {"--mu", "M[,M...]", "0.1,0.2,...,1", "cosines between the direction and the normal, toward +x",
+    {"--mu", "M[,M...]", "0.1,0.2,...,1",
+     "cosines between the direction and the normal, toward +x; below 0 inside a dielectric",
      read_cosines, MEMBER(mu), NULL},
-    {"--wi", "X,Y,Z", "none", "one direction above the surface, of any length, instead of --mu",
+    {"--wi", "X,Y,Z", "none",
+     "one direction above the surface (also below one of --bsdf dielectric), of any length, "
+     "instead "
+     "of --mu",
      lobe_app_read_direction, MEMBER(model.wi), NULL},
     {"--method", "NAME", "quadrature",
      "where E comes from; fit: equal roughnesses; walk: random walks over all scatterings",
@@ -115,7 +122,8 @@ static const lobe_app_option options[] = {
 
 /* The model options that an integral knows. */
 static void pick_model_options(lobe_app_option *picked) {
-    static const char *const names[] = {"--ndf", "--masking", "--alpha", "--g2"};
+    static const char *const names[] = {"--ndf", "--masking", "--alpha",
+                                        "--g2",  "--bsdf",    "--transport"};
     for (size_t k = 0; k < sizeof names / sizeof names[0]; k++)
         for (const lobe_app_option *o = lobe_app_model_options; o->name; o++)
             if (strcmp(o->name, names[k]) == 0) *picked++ = *o;
@@ -236,6 +244,35 @@ static bool write_direction(const albedo_values *v, const source *s, const lobe_
     return true;
 }
 
+/* The surface that --bsdf dielectric means. */
+static lobe_app_dielectric_surface dielectric_of(const albedo_values *v) {
+    lobe_app_dielectric_surface s = {.alpha = {v->model.alpha[0], v->model.alpha[1]},
+                                     .ior = v->fresnel.law[0].a};
+    s.options = lobe_dielectric_default_options();
+    s.options.g2 = (lobe_g2)v->model.g2;
+    s.options.transport = (lobe_transport)v->model.transport;
+    s.options.compensate = v->compensation == TURQUIN;
+    return s;
+}
+
+static lobe_app_status check_dielectric(const albedo_values *v) {
+    if (v->fresnel.count != 1 || v->fresnel.law[0].law != LOBE_REFLECTANCE_DIELECTRIC)
+        return lobe_app_reject("--fresnel", "give one index, as in dielectric:1.5",
+                               "--bsdf dielectric needs dielectric:IOR");
+    if (v->method != METHOD_QUADRATURE)
+        return lobe_app_reject("--method", "take --method quadrature",
+                               "%s is known for --bsdf reflection only", methods[v->method]);
+    if (v->compensation == KULLA_CONTY)
+        return lobe_app_reject("--multiscatter", "take none or turquin",
+                               "kulla-conty is known for --bsdf reflection only");
+    const lobe_app_dielectric_surface s = dielectric_of(v);
+    if (!lobe_dielectric_prepare_f64(s.options, v->model.wi, s.alpha[0], s.alpha[1], s.ior)
+             .is_valid)
+        return lobe_app_reject("--alpha", "give a smaller roughness", "%g,%g is too large",
+                               s.alpha[0], s.alpha[1]);
+    return LOBE_APP_DONE;
+}
+
 static lobe_app_status check(const albedo_values *v, const lobe_app_arguments *arguments) {
     lobe_model model;
     lobe_app_status status;
@@ -248,6 +285,13 @@ static lobe_app_status check(const albedo_values *v, const lobe_app_arguments *a
                                  alpha[1]};
     if (!lobe_app_is_given(arguments, "--alpha"))
         return lobe_app_reject("--alpha", "give the roughness, as in --alpha 0.3", "missing");
+    status = lobe_app_check_bsdf(&v->model, arguments);
+    if (status || v->model.bsdf == LOBE_APP_DIELECTRIC)
+        return status ? status : check_dielectric(v);
+    for (int i = 0; i < v->mu.count; i++)
+        if (v->mu.value[i] < 0)
+            return lobe_app_reject("--mu", "below 0 goes with --bsdf dielectric",
+                                   "%g lies below the surface", v->mu.value[i]);
     if (!(v->model.wi.z > 0))
         return lobe_app_reject("--wi", "tilt it above the surface", "the direction lies below");
     if (isnan(lobe_albedo(s, lobe_reflectance_one(), v->model.wi, LOBE_EFFORT_COARSE)))
@@ -273,18 +317,20 @@ static lobe_app_status check(const albedo_values *v, const lobe_app_arguments *a
 }
 
 static lobe_app_status write_rows(const albedo_values *v, const lobe_app_arguments *arguments) {
-    const source s = source_of(v);
+    const bool is_dielectric = v->model.bsdf == LOBE_APP_DIELECTRIC;
+    const lobe_app_dielectric_surface dielectric = dielectric_of(v);
+    const source s = is_dielectric ? (source){0} : source_of(v);
     const lobe_app_table table = {v->json ? LOBE_APP_NDJSON : (lobe_app_format)v->format,
-                                  LOBE_APP_F64, columns};
+                                  LOBE_APP_F64,
+                                  is_dielectric ? lobe_app_dielectric_columns : columns};
     lobe_app_catch_interrupt();
+    const bool is_one = lobe_app_is_given(arguments, "--wi");
     bool goes_on = lobe_app_begin_table(&table);
-    if (lobe_app_is_given(arguments, "--wi")) {
-        if (goes_on) write_direction(v, &s, &table, v->model.wi);
-    } else {
-        for (int i = 0; i < v->mu.count && goes_on; i++) {
-            const double mu = v->mu.value[i];
-            goes_on = write_direction(v, &s, &table, (lobe_vec3_f64){sqrt(1 - mu * mu), 0, mu});
-        }
+    for (int i = 0; i < (is_one ? 1 : v->mu.count) && goes_on && !lobe_app_interrupted; i++) {
+        const double mu = v->mu.value[i];
+        const lobe_vec3_f64 wi = is_one ? v->model.wi : (lobe_vec3_f64){sqrt(1 - mu * mu), 0, mu};
+        goes_on = is_dielectric ? lobe_app_write_dielectric(&dielectric, &table, wi)
+                                : write_direction(v, &s, &table, wi);
     }
     return lobe_app_interrupted ? LOBE_APP_INTERRUPTED : LOBE_APP_DONE;
 }
@@ -295,7 +341,7 @@ lobe_app_status lobe_app_albedo(int argc, char **argv) {
     values.mu.count = 10;
     for (int i = 0; i < 10; i++) values.mu.value[i] = (i + 1) / 10.0;
     values.fresnel = (law_list){{lobe_reflectance_one()}, 1};
-    lobe_app_option model_options[8];
+    lobe_app_option model_options[10];
     pick_model_options(model_options);
     const lobe_app_group groups[] = {
         {"Microsurface", model_options, &values.model}, {"Albedo", options, &values}, {0}};
@@ -306,7 +352,12 @@ lobe_app_status lobe_app_albedo(int argc, char **argv) {
         "average;\n"
         "f_avg, the average of F; f_ms, the colour of the scatterings after the first (Hill 2018); "
         "furnace,\n"
-        "what the surface reflects of even light, with F and with the chosen compensation.",
+        "what the surface reflects of even light, with F and with the chosen compensation.\n"
+        "With --bsdf dielectric: r and t, what is reflected and transmitted of even light in one "
+        "scattering;\n"
+        "energy, their sum before transmission changes radiance; furnace, the same with the "
+        "chosen\n"
+        "compensation.",
         NULL,
         groups,
         "lobe albedo --alpha 0.5 --mu 0.2,0.9 --fresnel 0.9 --multiscatter kulla-conty"};

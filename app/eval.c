@@ -74,6 +74,9 @@ static lobe_app_status check(const eval_values *values, const lobe_app_arguments
     if (lobe_app_is_given(arguments, "--wo") && values->measure == MEASURE_NORMAL)
         return lobe_app_reject("--wo", "give the normals as rows on standard input",
                                "contradicts --measure normal");
+    if (values->measure == MEASURE_NORMAL && values->model.bsdf == LOBE_APP_DIELECTRIC)
+        return lobe_app_reject("--measure", "give directions",
+                               "a normal has two directions with --bsdf dielectric");
     return lobe_app_exclude(arguments, "--json", "--format");
 }
 

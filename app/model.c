@@ -6,11 +6,14 @@
 
 #include <lobe/batch.h>
 
+#include "dielectric.h"
 #include "number.h"
 
 /* ---- Options --------------------------------------------------------------------------------- */
 
 static const char *const precisions[] = {"f32", "f64", NULL};
+static const char *const bsdfs[] = {"reflection", "dielectric", NULL};
+static const char *const transports[] = {"radiance", "importance", NULL};
 
 #define NAME(ID, name) name,
 #define METHOD_NAME(ID, name, about) name,
@@ -86,6 +89,14 @@ const lobe_app_option lobe_app_model_options[] = {
      "reflectance of a microfacet: none (F = 1), F0 (Schlick), "
      "f82:F0,TINT, dielectric:IOR, conductor:N,K; multiplies weight and f_cos",
      lobe_app_read_fresnel, MEMBER(fresnel), NULL},
+    {"--bsdf", "NAME", "reflection",
+     "reflection, or dielectric: reflection and transmission by exact Fresnel; needs --fresnel "
+     "dielectric:IOR, of the inside over the outside; a wi below the surface is then inside",
+     lobe_app_read_choice, MEMBER(bsdf), bsdfs},
+    {"--transport", "NAME", "radiance",
+     "what a dielectric transports: through the surface radiance grows and shrinks with the square "
+     "of the index, importance does not",
+     lobe_app_read_choice, MEMBER(transport), transports},
     {0}};
 #undef MEMBER
 
@@ -164,14 +175,17 @@ lobe_app_status lobe_app_prepare(const lobe_app_model_values *values,
         return lobe_app_reject("--wi", "give the direction toward the viewer, as in --wi 0.6,0,0.8",
                                "missing");
     lobe_reflection_options options = lobe_reflection_default_options();
-    lobe_app_status status =
-        lobe_app_choose_model(values->ndf, values->masking, values->method, &options.model);
+    lobe_app_status status = lobe_app_check_bsdf(values, arguments);
+    if (status != LOBE_APP_DONE) return status;
+    model->precision = (lobe_app_precision)values->precision;
+    model->bsdf = (lobe_app_bsdf)values->bsdf;
+    if (model->bsdf == LOBE_APP_DIELECTRIC) return lobe_app_prepare_dielectric(values, model);
+    status = lobe_app_choose_model(values->ndf, values->masking, values->method, &options.model);
     if (status != LOBE_APP_DONE) return status;
     if ((status = lobe_app_check_floor(arguments, options.model))) return status;
     options.g2 = (lobe_g2)values->g2;
     options.floor = values->floor;
     options.normalization = (lobe_normalization)values->normalization;
-    model->precision = (lobe_app_precision)values->precision;
     model->fresnel = values->fresnel;
     if (prepare(values, options, values->wi, values->plane, model)) return LOBE_APP_DONE;
     const lobe_vec3_f64 z = {0, 0, 1};
@@ -186,6 +200,7 @@ lobe_app_status lobe_app_prepare(const lobe_app_model_values *values,
 }
 
 lobe_reflection_draw_f64 lobe_app_draw(const lobe_app_model *model, const double u[3]) {
+    if (model->bsdf == LOBE_APP_DIELECTRIC) return lobe_app_draw_dielectric(model, u);
     if (model->precision == LOBE_APP_F64) {
         lobe_reflection_draw_f64 draw = lobe_reflection_sample_f64(&model->f64, u[0], u[1], u[2]);
         draw.weight *= lobe_app_fresnel_f64(&model->fresnel, draw.cos_im);
@@ -219,6 +234,7 @@ static lobe_reflection_eval_f64 finish_f32(const lobe_app_model *model,
 }
 
 lobe_reflection_eval_f64 lobe_app_eval_wo(const lobe_app_model *model, lobe_vec3_f64 wo) {
+    if (model->bsdf == LOBE_APP_DIELECTRIC) return lobe_app_eval_dielectric(model, wo);
     if (model->precision == LOBE_APP_F64)
         return finish_f64(model, lobe_reflection_eval_wo_f64(&model->f64, wo));
     return finish_f32(model, lobe_reflection_eval_wo_f32(&model->f32, narrow(wo)));

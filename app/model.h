@@ -5,6 +5,7 @@
 
 #include <stdint.h>
 
+#include <lobe/dielectric.h>
 #include <lobe/reflection.h>
 
 #include "fresnel.h"
@@ -12,9 +13,12 @@
 
 typedef enum lobe_app_precision { LOBE_APP_F32, LOBE_APP_F64 } lobe_app_precision;
 
+typedef enum lobe_app_bsdf { LOBE_APP_REFLECTION, LOBE_APP_DIELECTRIC } lobe_app_bsdf;
+
 /* What the options say. */
 typedef struct lobe_app_model_values {
     int ndf, masking, precision;
+    int bsdf, transport;           /* lobe_app_bsdf, lobe_transport */
     int method, g2, normalization; /* lobe_method (_COUNT: the best), lobe_g2, lobe_normalization */
     double alpha[2], floor;
     lobe_vec3_f64 wi;    /* of unit length */
@@ -39,15 +43,18 @@ lobe_app_status lobe_app_check_floor(const lobe_app_arguments *arguments, lobe_m
 /* The model, ready to draw from; reports what is missing or out of range. */
 typedef struct lobe_app_model {
     lobe_app_precision precision;
+    lobe_app_bsdf bsdf;
     lobe_app_fresnel fresnel;
     lobe_reflection_f32 f32;
     lobe_reflection_f64 f64;
+    lobe_dielectric_f32 dielectric_f32;
+    lobe_dielectric_f64 dielectric_f64;
 } lobe_app_model;
 
 lobe_app_status lobe_app_prepare(const lobe_app_model_values *values,
                                  const lobe_app_arguments *arguments, lobe_app_model *model);
 
-/* Weight and f_cos include the Fresnel factor. */
+/* Weight and f_cos include the Fresnel factor; eval_m is of reflection only. */
 lobe_reflection_draw_f64 lobe_app_draw(const lobe_app_model *model, const double u[3]);
 lobe_reflection_eval_f64 lobe_app_eval_wo(const lobe_app_model *model, lobe_vec3_f64 wo);
 lobe_reflection_eval_f64 lobe_app_eval_m(const lobe_app_model *model, lobe_vec3_f64 m);

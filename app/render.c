@@ -118,9 +118,9 @@ static const lobe_app_option method_options[] = {
      lobe_app_ndfs},
     {"--masking", "NAME", "smith", "masking of the microsurface", lobe_app_read_choice, AT(masking),
      lobe_app_maskings},
-    {"--method", "NAME", "bounded, else the best for the model", "how to sample reflection",
+    {"--method", "NAME", "by surface, else the best for the model", "how to sample reflection",
      lobe_app_read_choice, AT(method), lobe_app_methods},
-    {"--floor", "D", "0.1", "method horizon: how much of the density ignores shadowing, in [0, 1]",
+    {"--floor", "D", "0.25", "method horizon: how much of the density ignores shadowing, in [0, 1]",
      lobe_app_read_floor, AT(floor), NULL},
     {"--g2", "NAME", "correlated", "masking and shadowing", lobe_app_read_choice, AT(g2),
      lobe_app_g2s},
@@ -225,9 +225,9 @@ static json_t *json_statistics(const render_values *v, const char *scene,
                                const lobe_render_statistics *st) {
     return json_pack(
         "{so ss si si si sI si sI sI sI sI so so so}", "scene", lobe_app_json_text(scene), "method",
-        lobe_method_name(v->model.method), "width", v->size.width, "height", v->size.height, "spp",
-        (int)st->pixel_samples, "samples", (json_int_t)st->samples, "threads", st->threads, "rays",
-        (json_int_t)st->rays, "draws", (json_int_t)st->ggx_draws, "rejected",
+        lobe_render_method_name(v->model.method), "width", v->size.width, "height", v->size.height,
+        "spp", (int)st->pixel_samples, "samples", (json_int_t)st->samples, "threads", st->threads,
+        "rays", (json_int_t)st->rays, "draws", (json_int_t)st->ggx_draws, "rejected",
         (json_int_t)st->ggx_rejected, "dropped", (json_int_t)st->dropped_samples, "rejected_share",
         lobe_app_json_number(st->rejected_share), "seconds", lobe_app_json_number(st->seconds),
         "cpu_seconds", lobe_app_json_number(st->cpu_seconds));
@@ -369,13 +369,6 @@ static lobe_app_status check(const render_values *v, const lobe_app_arguments *a
     return v->out ? check_picture(v) : LOBE_APP_DONE;
 }
 
-/* Where none is given: the renderer's own choice, if it goes with the surface. */
-static int method_of(const render_values *v) {
-    const lobe_model usual = lobe_render_default_options().reflection.model;
-    const bool fits = v->ndf == (int)usual.ndf && v->masking == (int)usual.masking;
-    return v->method == LOBE_METHOD_COUNT && fits ? (int)usual.method : v->method;
-}
-
 lobe_app_status lobe_app_render(int argc, char **argv) {
     render_values values = default_values();
     const lobe_app_group groups[] = {{"Picture", picture_options, &values},
@@ -396,8 +389,9 @@ lobe_app_status lobe_app_render(int argc, char **argv) {
     lobe_app_status status = lobe_app_parse(&command, argc, argv, &arguments);
     if (status || arguments.is_answered) return status;
     if (values.list_scenes) return list_scenes(values.json);
-    status = lobe_app_choose_model(values.ndf, values.masking, method_of(&values), &values.model);
+    status = lobe_app_choose_model(values.ndf, values.masking, values.method, &values.model);
     if (status || (status = lobe_app_check_floor(&arguments, values.model))) return status;
+    if (values.method == LOBE_METHOD_COUNT) values.model.method = LOBE_METHOD_COUNT;
     if ((status = check(&values, &arguments))) return status;
     return render(&values, arguments.operand);
 }

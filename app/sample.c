@@ -115,12 +115,14 @@ lobe_app_status lobe_app_sample(int argc, char **argv) {
     const lobe_app_command command = {
         "sample",
         "--alpha A[,AY] --wi X,Y,Z [OPTIONS]",
-        "Draws directions of reflection. Writes a row a draw: the microfacet normal m, the "
-        "direction\n"
-        "o, the density of m over normals, the density of o over directions, and the weight\n"
-        "f(i,o) |o.z| / pdf_o. A draw that does not leave the surface has pdf_o = weight = 0; it "
-        "is\n"
-        "kept, never drawn again.",
+        "Draws directions of reflection, with --bsdf dielectric also of transmission. Writes a row "
+        "a\n"
+        "draw: the microfacet normal m, the direction o, the density of m over normals, the "
+        "density "
+        "of o\n"
+        "over directions, and the weight f(i,o) |o.z| / pdf_o. A draw that does not leave the "
+        "surface\n"
+        "has pdf_o = weight = 0; it is kept, never drawn again.",
         NULL,
         groups,
         "lobe sample --alpha 0.2,0.8 --wi 0.6,0,0.8 --count 1000 --seed 7 > draws.csv"};

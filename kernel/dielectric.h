@@ -72,6 +72,7 @@ K_STRUCT(dielectric_draw) {
     v3 wo;
     real cos_im;
     real fresnel;
+    real pdf_m;
     real pdf;
     real weight;
     bool transmitted;
@@ -81,6 +82,8 @@ K_STRUCT(dielectric_draw) {
 K_STRUCT(dielectric_value) {
     real f_cos;
     real pdf;
+    real pdf_m;
+    real shadow; /* G2/G1(i), 0 where nothing is scattered */
     real cos_im;
     real fresnel;
     bool transmitted;
@@ -218,6 +221,8 @@ K_FN dielectric_draw dielectric_draw_of(dielectric_side s, dielectric_facet f, r
     real chance = k_select(reflect, f.chance_r, f.chance_t);
     real density = k_select(reflect, f.density_r, dielectric_density_t(s, f));
     r.pdf = k_usable(chance * k_select(r.is_point, R(1.0), density));
+    real known = k_select(k_is(s.mirror), R(1.0), k_usable(f.density_m));
+    r.pdf_m = k_select(k_is(s.valid), known, R(0.0));
     real weight = k_usable(dielectric_weight(s, f, reflect));
     r.weight = k_select(r.pdf > R(0.0), weight, R(0.0));
     r.m = dielectric_turn(s, f.m);
@@ -242,6 +247,8 @@ K_FN dielectric_value dielectric_value_of(dielectric_side s, dielectric_facet f,
     v.fresnel = f.light.reflectance;
     v.pdf = k_select(spread, k_usable(density * chance), R(0.0));
     v.f_cos = k_select(v.pdf > R(0.0), k_usable(density * ratio), R(0.0));
+    v.pdf_m = k_select(v.pdf > R(0.0), k_usable(f.density_m), R(0.0));
+    v.shadow = k_select(v.pdf > R(0.0), k_select(below, f.shadow_t, f.shadow_r), R(0.0));
     return v;
 }
 

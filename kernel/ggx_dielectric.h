@@ -43,7 +43,16 @@ K_FN dielectric_draw ggx_dielectric_draw(ggx_dielectric s, real u1, real u2, rea
     return dielectric_draw_of(s.side, ggx_dielectric_drawn(s, u1, u2), u3);
 }
 
-K_FN dielectric_value ggx_dielectric_eval(ggx_dielectric s, v3 wo) {
+/* All there is to know about a pair of directions. D is that of the facet that scatters it. */
+K_STRUCT(ggx_dielectric_value) {
+    dielectric_value value;
+    real d;
+    real g1_i;
+    real g1_o;
+    real g2;
+};
+
+K_FN ggx_dielectric_value ggx_dielectric_eval(ggx_dielectric s, v3 wo) {
     ggx_base g = s.caps.cap.g;
     v3 o = dielectric_turn(s.side, wo);
     v3 h = dielectric_half_vector(s.side, g.wi, o);
@@ -52,11 +61,17 @@ K_FN dielectric_value ggx_dielectric_eval(ggx_dielectric s, v3 wo) {
     real d = ggx_d_stretched(g, h2 / k_max(v3_dot(w, w), K_TINY));
     v3 m = v3_scale(h, R(1.0) / k_sqrt(h2));
     dielectric_facet f = dielectric_facet_toward(s.side, dielectric_facet_of(s.side, g.wi, m), o);
-    return dielectric_value_of(s.side, ggx_dielectric_finish(s, f, d), o);
+    ggx_dielectric_value e;
+    e.value = dielectric_value_of(s.side, ggx_dielectric_finish(s, f, d), o);
+    e.d = k_select(e.value.pdf > R(0.0), k_usable(d), R(0.0));
+    e.g1_i = R(1.0) / (R(1.0) + dielectric_lambda(g.wi, g.ax, g.ay));
+    e.g1_o = R(1.0) / (R(1.0) + dielectric_lambda(o, g.ax, g.ay));
+    e.g2 = e.g1_i * e.value.shadow;
+    return e;
 }
 
 K_FN real ggx_dielectric_pdf(ggx_dielectric s, v3 wo) {
-    return ggx_dielectric_eval(s, wo).pdf;
+    return ggx_dielectric_eval(s, wo).value.pdf;
 }
 
 /* Worst errors in float, 2 10^6 random inputs (tools/numerics/dielectric_error.c: roughness 0.01 to 1,

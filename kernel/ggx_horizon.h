@@ -28,6 +28,7 @@
 
 K_STRUCT(ggx_horizon) {
     ggx_horizon_set set;
+    ggx_horizon_frame f;
     real level;  /* delta */
     real slack1; /* g - k^2 of the axes: 0 where wi is behind */
     real slack2;
@@ -92,8 +93,9 @@ K_FN real ggx_horizon_eta_centre(ggx_base g, ggx_horizon_frame f, real c) {
 K_FN ggx_horizon ggx_horizon_prepare(ggx_base g) {
     ggx_useful u = ggx_useful_of(g);
     ggx_horizon s;
-    s.set = ggx_horizon_set_of(g, u);
-    ggx_horizon_frame f = s.set.f;
+    ggx_horizon_frame f = ggx_horizon_frame_of(u);
+    s.f = f;
+    s.set = ggx_horizon_set_of(g, f.lambda, f.a * f.b, u.i.z);
     ggx_horizon_ends x1 = ggx_horizon_ends_of(f, u, f.e1, f.a, f.g1, f.k1);
     ggx_horizon_ends x2 = ggx_horizon_ends_of(f, u, f.e2, f.b, f.g2, f.k2);
     real eta_centre = ggx_horizon_eta_centre(g, f, u.c);
@@ -166,7 +168,7 @@ K_STRUCT(ggx_horizon_lean) {
 
 /* d1 = o1 sqrt((1 - o2^2)/(1 - o1^2 o2^2)): then the ends of both axes have the odd parts o1, o2 */
 K_FN ggx_horizon_lean ggx_horizon_lean_of(ggx_horizon s, real v, real rest) {
-    ggx_horizon_frame f = s.set.f;
+    ggx_horizon_frame f = s.f;
     real radius = k_sqrt(rest);
     real z1 = k_sqrt(v + rest * f.g1);
     real z2 = k_sqrt(v + rest * f.g2);
@@ -192,7 +194,7 @@ K_FN real ggx_horizon_radial(ggx_horizon s, real v, real rest) {
 }
 
 K_FN real ggx_horizon_pdf(ggx_horizon s, facet_pair pair) {
-    ggx_horizon_point p = ggx_horizon_point_of(s.set, pair);
+    ggx_horizon_point p = ggx_horizon_point_of(s.set, s.f, pair);
     ggx_horizon_lean lean = ggx_horizon_lean_of(s, p.v, p.rest);
     real root1 = k_sqrt(lean.sum1);
     real root2 = k_sqrt(lean.sum2);
@@ -213,7 +215,7 @@ K_FN real ggx_horizon_acceptance(ggx_horizon s) {
 }
 
 K_FN facet_draw ggx_horizon_draw(ggx_horizon s, real u1, real u2, real u3) {
-    ggx_horizon_angle e0 = ggx_horizon_turned(s.set.f, u1);
+    ggx_horizon_angle e0 = ggx_horizon_turned(s.f, u1);
     /* the share of the disk outside the radius is u */
     real u = R(1.0) - u2;
     real b = s.q0 - u * s.gamma;
@@ -239,7 +241,7 @@ K_FN facet_draw ggx_horizon_draw(ggx_horizon s, real u1, real u2, real u3) {
     real angular =
         e_e / (root1 * root2 * (f1 * f1 + f2 * f2)) * ggx_horizon_shift_density(lean.d, f1, f2);
     real p_y = ggx_horizon_radial(s, v, rest) * angular;
-    ggx_horizon_arrival to = ggx_horizon_arrive(s.set, v, rest, e);
+    ggx_horizon_arrival to = ggx_horizon_arrive_in(s.set, s.f, v, rest, e);
     return ggx_horizon_draw_of(s.set, to.pair, ggx_horizon_spread(p_y, to.z, to.im));
 }
 

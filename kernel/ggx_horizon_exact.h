@@ -21,13 +21,16 @@
 
 K_STRUCT(ggx_horizon_exact) {
     ggx_horizon_set set;
+    ggx_horizon_frame f;
     real squeeze; /* (k1^2 g1 + k2^2 g2)/|k|^2 */
 };
 
 K_FN ggx_horizon_exact ggx_horizon_exact_prepare(ggx_base g) {
     ggx_horizon_exact s;
-    s.set = ggx_horizon_set_of(g, ggx_useful_of(g));
-    ggx_horizon_frame f = s.set.f;
+    ggx_useful u = ggx_useful_of(g);
+    ggx_horizon_frame f = ggx_horizon_frame_of(u);
+    s.f = f;
+    s.set = ggx_horizon_set_of(g, f.lambda, f.a * f.b, u.i.z);
     real k1 = f.k1 * f.k1;
     real k2 = f.k2 * f.k2;
     s.squeeze = (k1 * f.g1 + k2 * f.g2) / k_max(k1 + k2, K_TINY);
@@ -35,7 +38,7 @@ K_FN ggx_horizon_exact ggx_horizon_exact_prepare(ggx_base g) {
 }
 
 K_FN real ggx_horizon_exact_pdf(ggx_horizon_exact s, facet_pair pair) {
-    return ggx_horizon_density(s.set, pair, R(1.0) / s.set.f.nu);
+    return ggx_horizon_density(s.set, pair, R(1.0) / s.f.nu);
 }
 
 K_FN real ggx_horizon_exact_pdf_m(ggx_horizon_exact s, facet_pair pair) {
@@ -96,7 +99,7 @@ K_FN real ggx_horizon_exact_step(ggx_horizon_circle at, ggx_horizon_angle theta,
 }
 
 K_FN facet_draw ggx_horizon_exact_draw(ggx_horizon_exact s, real u1, real u2, real u3) {
-    ggx_horizon_frame f = s.set.f;
+    ggx_horizon_frame f = s.f;
     ggx_horizon_angle theta = ggx_horizon_turned(f, u1);
     real v = R(1.0) - u2;
     real reach = k_sqrt(u2 / (v + u2 * s.squeeze));
@@ -108,7 +111,8 @@ K_FN facet_draw ggx_horizon_exact_draw(ggx_horizon_exact s, real u1, real u2, re
     K_UNROLL
     for (int step = 0; step < GGX_HORIZON_EXACT_STEPS; ++step)
         ahead = ggx_horizon_exact_step(at, theta, ahead);
-    ggx_horizon_arrival to = ggx_horizon_arrive(s.set, v, u2, ggx_horizon_ahead(theta, ahead));
+    ggx_horizon_arrival to =
+        ggx_horizon_arrive_in(s.set, f, v, u2, ggx_horizon_ahead(theta, ahead));
     return ggx_horizon_draw_of(s.set, to.pair, R(1.0) / f.nu);
 }
 

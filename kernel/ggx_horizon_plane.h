@@ -151,9 +151,8 @@ K_FN real ggx_horizon_plane_above(ggx_base g) {
     return v3_dot(ab, ab) / k_max(g.t_i * v3_dot(b, b), K_TINY);
 }
 
-K_FN ggx_horizon_frame ggx_horizon_plane_frame(ggx_base g, ggx_horizon_plane_form q,
-                                               ggx_horizon_plane_terms t,
-                                               ggx_horizon_plane_axis axis) {
+K_FN ggx_horizon_form ggx_horizon_plane_matrix(ggx_base g, ggx_horizon_plane_form q,
+                                               ggx_horizon_plane_terms t) {
     v3 i = g.i_std;
     ggx_horizon_form f;
     f.xx = R(2.0) * t.ih.x - t.cx;
@@ -162,8 +161,15 @@ K_FN ggx_horizon_frame ggx_horizon_plane_frame(ggx_base g, ggx_horizon_plane_for
     f.xy = i.x * q.h.y + i.y * q.h.x;
     f.xz = i.x * q.h.z + i.z * q.h.x;
     f.yz = i.y * q.h.z + i.z * q.h.y;
-    return ggx_horizon_frame_of_form(f, axis.n, axis.lambda, axis.lambda - f.zz, t.det, i,
-                                     v3_dot(axis.n, i));
+    return f;
+}
+
+K_FN ggx_horizon_frame ggx_horizon_plane_frame(ggx_base g, ggx_horizon_plane_form q,
+                                               ggx_horizon_plane_terms t,
+                                               ggx_horizon_plane_axis axis) {
+    ggx_horizon_form f = ggx_horizon_plane_matrix(g, q, t);
+    return ggx_horizon_frame_of_form(f, axis.n, axis.lambda, axis.lambda - f.zz, t.det, g.i_std,
+                                     v3_dot(axis.n, g.i_std));
 }
 
 /* The cone half way between the two planes, each scaled to the eigenvalue 1: its own is at most 1. */

@@ -79,8 +79,8 @@ K_STRUCT(ggx_horizon_plane_probe) {
 K_FN real ggx_horizon_plane_wanted(ggx_horizon_plane_disk d, ggx_horizon_plane_probe probe,
                                    real v) {
     ggx_horizon_plane_point y = ggx_horizon_plane_point_of(probe.ray, v, R(1.0) - v);
-    v3 m = v3_add(v3_scale(probe.x, y.r), v3_scale(d.set.f.n, y.z));
-    real im = k_max(d.set.f.nu * y.z + probe.ix * y.r, R(0.0));
+    v3 m = v3_add(v3_scale(probe.x, y.r), v3_scale(d.f.n, y.z));
+    real im = k_max(d.f.nu * y.z + probe.ix * y.r, R(0.0));
     real value = ggx_horizon_plane_value(probe.ray, probe.ray.shading, y, v);
     value = k_max(value, K_EPS * K_EPS);
     real shaded = value + d.set.c * ggx_horizon_plane_shade(d.set.g, m, im);
@@ -130,14 +130,14 @@ K_FN ggx_horizon_plane_node ggx_horizon_plane_node_of(ggx_horizon_plane_disk d, 
         f2 = f3;
         f3 = ggx_horizon_plane_wanted(d, probe, R(0.5) * x * x);
     }
-    ggx_horizon_plane_node node = ggx_horizon_plane_fit(centre * d.set.f.nu, f1, f2, f3);
+    ggx_horizon_plane_node node = ggx_horizon_plane_fit(centre * d.f.nu, f1, f2, f3);
     node.w = node.w * probe.ray.reach * k_square(k_abs(e.c) + k_abs(e.s));
     return node;
 }
 
 K_FN real ggx_horizon_plane_centre(ggx_horizon_plane_disk d) {
     real value = k_max(d.shading.a0, K_EPS * K_EPS);
-    real shade = d.set.c * ggx_horizon_plane_shade(d.set.g, d.set.f.n, d.set.f.nu);
+    real shade = d.set.c * ggx_horizon_plane_shade(d.set.g, d.f.n, d.f.nu);
     return value * (R(1.0) + d.set.c) / (value + shade);
 }
 

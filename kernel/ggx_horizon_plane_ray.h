@@ -28,6 +28,7 @@ K_STRUCT(ggx_horizon_plane_cone) {
 /* A shading point with two planes. */
 K_STRUCT(ggx_horizon_plane_disk) {
     ggx_horizon_set set;
+    ggx_horizon_frame f;
     v3 f1; /* the disk onto the ellipse, in the continuous basis of the frame; */
     v3 f2;
     v3 d1; /* and back: (m.d1, m.d2) = r (c, s) */
@@ -88,7 +89,8 @@ K_FN ggx_horizon_plane_disk ggx_horizon_plane_disk_of(ggx_base g) {
     ggx_horizon_frame f = ggx_horizon_plane_between(g, geometric);
     real c = k_max(g.i_std.z, R(0.0));
     ggx_horizon_plane_disk d;
-    d.set = ggx_horizon_set_of_frame(g, f, g.i_std.z);
+    d.f = f;
+    d.set = ggx_horizon_set_of(g, f.lambda, f.a * f.b, g.i_std.z);
     d.f1 = v3_sub(v3_scale(f.e1, f.turn_c * f.a), v3_scale(f.e2, f.turn_s * f.b));
     d.f2 = v3_add(v3_scale(f.e1, f.turn_s * f.a), v3_scale(f.e2, f.turn_c * f.b));
     real inv_ab = R(1.0) / (f.a * f.b);

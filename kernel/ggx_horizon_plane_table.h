@@ -1,5 +1,5 @@
-/* kernel/ggx_horizon_plane_table.h: `horizon` and `horizon-uniform` where the geometric plane is not the
- * shading plane: reflections that leave both (kernel/ggx_horizon_plane_ray.h), none other, more of them
+/* kernel/ggx_horizon_plane_table.h: `horizon` where the geometric plane is not the shading
+ * plane: reflections that leave both (kernel/ggx_horizon_plane_ray.h), none other, more of them
  * where shadowing lets more light through (kernel/ggx_horizon_plane_nodes.h). First the azimuth by the
  * nodes, then the radius. Valid for wi on the front of the geometric plane, above or below the shading
  * plane. docs/horizon-planes.md has the derivation and what was measured. */
@@ -22,7 +22,7 @@ K_FN ggx_horizon_plane_table ggx_horizon_plane_table_prepare(ggx_base g) {
 
 K_FN facet_draw ggx_horizon_plane_table_draw(ggx_horizon_plane_table t, real u1, real u2, real u3) {
     ggx_horizon_plane_disk d = t.disk;
-    ggx_horizon_frame f = d.set.f;
+    ggx_horizon_frame f = d.f;
     real place = ggx_horizon_plane_place(t.nodes, u1);
     ggx_horizon_angle e =
         ggx_horizon_plane_azimuth(R(4.0) * place / k_from_int(GGX_HORIZON_PLANE_NODES));
@@ -74,7 +74,7 @@ K_FN ggx_horizon_plane_origin ggx_horizon_plane_origin_of(ggx_horizon_plane_disk
     ggx_horizon_plane_point y;
     real r2 = at.y1 * at.y1 + at.y2 * at.y2;
     y.r = k_sqrt(r2);
-    y.z = v3_dot(m, d.set.f.n);
+    y.z = v3_dot(m, d.f.n);
     real inv_r = R(1.0) / k_max(y.r, K_TINY);
     bool off_centre = y.r > K_TINY;
     at.c = k_select(off_centre, at.y1 * inv_r, R(1.0));

@@ -19,30 +19,27 @@
 
 K_STRUCT(ggx_horizon_set) {
     ggx_base g;
-    ggx_horizon_frame f;
     kint front;     /* i_z > 0 */
     real c;         /* max(i_std.z, 0) */
+    real lambda;    /* L */
     real rise;      /* t_i L */
     real pdf_scale; /* p = pdf_scale D spread */
     real share;     /* weight = share G2/G1(i) / spread */
 };
 
-/* f: of the reflections above the surface, or of another cone that the sampler stays in */
-K_FN ggx_horizon_set ggx_horizon_set_of_frame(ggx_base g, ggx_horizon_frame f, real i_z) {
+/* L and a b of the reflections above the surface, or of another cone that the sampler stays in */
+K_FN ggx_horizon_set ggx_horizon_set_of(ggx_base g, real lambda, real ab, real i_z) {
+    real four_t_ab = R(4.0) * g.t_i * ab;
+    real inv = R(1.0) / (four_t_ab * g.density_bias);
     ggx_horizon_set s;
     s.g = g;
-    s.f = f;
     s.front = k_flag(i_z > R(0.0));
     s.c = k_max(i_z, R(0.0));
-    s.rise = g.t_i * s.f.lambda;
-    real four_t_ab = R(4.0) * g.t_i * s.f.a * s.f.b;
-    s.pdf_scale = g.density_bias / four_t_ab;
-    s.share = four_t_ab * g.value_scale / g.density_bias;
+    s.lambda = lambda;
+    s.rise = g.t_i * lambda;
+    s.pdf_scale = g.density_bias * g.density_bias * inv;
+    s.share = four_t_ab * four_t_ab * g.value_scale * inv;
     return s;
-}
-
-K_FN ggx_horizon_set ggx_horizon_set_of(ggx_base g, ggx_useful u) {
-    return ggx_horizon_set_of_frame(g, ggx_horizon_frame_of(u), u.i.z);
 }
 
 /* With no second plane every draw leaves; with one there is no closed form. */
@@ -72,19 +69,11 @@ K_STRUCT(ggx_horizon_arrival) {
     real im; /* i_std . m, m stretched */
 };
 
-/* v in (0, 1], s = 1 - v, e of length 1. */
-K_FN ggx_horizon_arrival ggx_horizon_arrive(ggx_horizon_set s, real v, real rest,
-                                            ggx_horizon_angle e) {
+/* h: the stretched normal, of length 1, h.n = z; im = i_std.h; h^T Q h = L v. */
+K_FN ggx_horizon_arrival ggx_horizon_arrive(ggx_horizon_set s, v3 h, real z, real im, real v) {
     ggx_base g = s.g;
-    ggx_horizon_frame f = s.f;
-    real radius = k_sqrt(rest);
-    real y1 = radius * e.c;
-    real y2 = radius * e.s;
-    real z = ggx_horizon_z(f, v, rest, e);
-    v3 h = v3_combine(f.e1, f.a * y1, f.e2, f.b * y2, f.n, z);
-    real im = f.nu * (z + f.k1 * y1 + f.k2 * y2);
     v3 am = ggx_stretch(h, g.ax, g.ay);
-    real product = R(0.5) * (f.lambda * v + s.c * v3_dot(am, am));
+    real product = R(0.5) * (s.lambda * v + s.c * v3_dot(am, am));
     real larger = k_max(k_max(h.z, im), K_TINY);
     real smaller = product / larger;
     am.z = k_select(h.z < R(0.25) * larger, smaller, h.z);
@@ -107,6 +96,17 @@ K_FN ggx_horizon_arrival ggx_horizon_arrive(ggx_horizon_set s, real v, real rest
     return to;
 }
 
+/* v in (0, 1], rest = 1 - v, e of length 1. */
+K_FN ggx_horizon_arrival ggx_horizon_arrive_in(ggx_horizon_set s, ggx_horizon_frame f, real v,
+                                               real rest, ggx_horizon_angle e) {
+    real radius = k_sqrt(rest);
+    real y1 = radius * e.c;
+    real y2 = radius * e.s;
+    real z = ggx_horizon_z(f, v, rest, e);
+    v3 h = v3_combine(f.e1, f.a * y1, f.e2, f.b * y2, f.n, z);
+    return ggx_horizon_arrive(s, h, z, f.nu * (z + f.k1 * y1 + f.k2 * y2), v);
+}
+
 /* D cancels from the weight: it is made of the shadowing and the spread alone. */
 K_FN facet_draw ggx_horizon_draw_of(ggx_horizon_set s, facet_pair pair, real spread) {
     real pdf = s.pdf_scale * pair.d * spread;
@@ -114,7 +114,44 @@ K_FN facet_draw ggx_horizon_draw_of(ggx_horizon_set s, facet_pair pair, real spr
     return ggx_weighted_draw(s.g, pair, R(4.0) * pair.cos_im * pdf, pdf, weight);
 }
 
-/* Where a pair comes from; without meaning where nothing is drawn. */
+K_FN bool ggx_horizon_holds(facet_pair pair) {
+    return k_and(pair.wo.z > R(0.0), k_and(pair.m.z > R(0.0), pair.cos_im > R(0.0)));
+}
+
+/* How far inside the ellipse a pair lies; without meaning where nothing is drawn. above: wo over the plane
+ * whose ellipse it is. */
+K_STRUCT(ggx_horizon_height) {
+    v3 w; /* A^-1 m */
+    real v;
+    real rest; /* 1 - v */
+    real im;
+};
+
+K_FN ggx_horizon_height ggx_horizon_height_of(ggx_horizon_set s, facet_pair pair, real above) {
+    ggx_horizon_height p;
+    p.w = v3_of(pair.m.x * s.g.inv_ax, pair.m.y * s.g.inv_ay, pair.m.z);
+    real am2 = R(1.0) / k_max(v3_dot(p.w, p.w), K_TINY);
+    real am = k_sqrt(am2);
+    p.im = pair.cos_im * am / s.g.t_i;
+    real from_wo = above * am2 / s.rise;
+    real from_m = R(2.0) * p.im * pair.m.z * am / s.lambda;
+    p.v = k_min(k_max(k_select(k_is(s.front), from_wo, from_m), GGX_HORIZON_V_MIN), R(1.0));
+    p.rest = R(1.0) - p.v;
+    return p;
+}
+
+/* The direction of (y1, y2). */
+K_FN ggx_horizon_angle ggx_horizon_angle_of(real y1, real y2) {
+    real y_y = y1 * y1 + y2 * y2;
+    real inv = R(1.0) / k_sqrt(k_max(y_y, K_TINY));
+    bool off_centre = y_y > K_TINY;
+    ggx_horizon_angle e;
+    e.c = k_select(off_centre, y1 * inv, R(1.0));
+    e.s = k_select(off_centre, y2 * inv, R(0.0));
+    return e;
+}
+
+/* Where in the ellipse it lies. */
 K_STRUCT(ggx_horizon_point) {
     real v;
     real rest; /* 1 - v */
@@ -123,28 +160,14 @@ K_STRUCT(ggx_horizon_point) {
     real im;
 };
 
-K_FN bool ggx_horizon_holds(facet_pair pair) {
-    return k_and(pair.wo.z > R(0.0), k_and(pair.m.z > R(0.0), pair.cos_im > R(0.0)));
-}
-
-K_FN ggx_horizon_point ggx_horizon_point_of(ggx_horizon_set s, facet_pair pair) {
-    ggx_horizon_frame f = s.f;
-    v3 w = v3_of(pair.m.x * s.g.inv_ax, pair.m.y * s.g.inv_ay, pair.m.z);
-    real am2 = R(1.0) / k_max(v3_dot(w, w), K_TINY);
-    real am = k_sqrt(am2);
+K_FN ggx_horizon_point ggx_horizon_point_of(ggx_horizon_set s, ggx_horizon_frame f,
+                                            facet_pair pair) {
+    ggx_horizon_height at = ggx_horizon_height_of(s, pair, pair.wo.z);
     ggx_horizon_point p;
-    p.im = pair.cos_im * am / s.g.t_i;
-    real from_wo = pair.wo.z * am2 / s.rise;
-    real from_m = R(2.0) * p.im * pair.m.z * am / f.lambda;
-    p.v = k_min(k_max(k_select(k_is(s.front), from_wo, from_m), GGX_HORIZON_V_MIN), R(1.0));
-    p.rest = R(1.0) - p.v;
-    real y1 = f.b * v3_dot(w, f.e1);
-    real y2 = f.a * v3_dot(w, f.e2);
-    real y2sum = y1 * y1 + y2 * y2;
-    real inv = R(1.0) / k_sqrt(k_max(y2sum, K_TINY));
-    bool off_centre = y2sum > K_TINY;
-    p.e.c = k_select(off_centre, y1 * inv, R(1.0));
-    p.e.s = k_select(off_centre, y2 * inv, R(0.0));
+    p.v = at.v;
+    p.rest = at.rest;
+    p.im = at.im;
+    p.e = ggx_horizon_angle_of(f.b * v3_dot(at.w, f.e1), f.a * v3_dot(at.w, f.e2));
     p.z = ggx_horizon_z(f, p.v, p.rest, p.e);
     return p;
 }

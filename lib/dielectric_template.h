@@ -82,6 +82,7 @@ draw_type LOBE_NAME(dielectric_sample)(const model_type *model, real u1, real u2
     d.wo = out(k.wo);
     d.cos_im = k.cos_im;
     d.fresnel = k.fresnel;
+    d.pdf_m = k.pdf_m;
     d.pdf = k.pdf;
     d.weight = k.weight;
     d.transmitted = k.transmitted;
@@ -94,12 +95,17 @@ real LOBE_NAME(dielectric_pdf)(const model_type *model, vec_type wo) {
 }
 
 eval_type LOBE_NAME(dielectric_eval_wo)(const model_type *model, vec_type wo) {
-    dielectric_value k = ggx_dielectric_eval(state_of(model), in(wo));
+    ggx_dielectric_value k = ggx_dielectric_eval(state_of(model), in(wo));
     eval_type e;
-    e.f_cos = k.f_cos;
-    e.pdf = k.pdf;
-    e.fresnel = k.fresnel;
-    e.cos_im = k.cos_im;
-    e.transmitted = k.transmitted;
+    e.d = k.d;
+    e.g1_i = k.g1_i;
+    e.g1_o = k.g1_o;
+    e.g2 = k.g2;
+    e.pdf_m = k.value.pdf_m;
+    e.pdf = k.value.pdf;
+    e.f_cos = k.value.f_cos;
+    e.fresnel = k.value.fresnel;
+    e.cos_im = k.value.cos_im;
+    e.transmitted = k.value.transmitted;
     return e;
 }

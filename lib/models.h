@@ -17,6 +17,7 @@
 #include "../kernel/ggx_horizon_exact.h"
 #include "../kernel/ggx_horizon_mirror.h"
 #include "../kernel/ggx_horizon_plane_ellipse.h"
+#include "../kernel/ggx_horizon_plane_uniform.h"
 #include "../kernel/ggx_horizon_plane_table.h"
 #include "../kernel/ggx_horizon_uniform.h"
 #include "../kernel/ggx_ndf.h"
@@ -41,6 +42,7 @@
  * model without one rejects what goes below that surface. */
 #define TILTED_MODELS(X)                                                                           \
     X(GGX, SMITH, HORIZON_MIRROR, ggx_horizon_plane_ellipse)                                       \
+    X(GGX, SMITH, HORIZON_UNIFORM, ggx_horizon_plane_uniform)                                      \
     X(GGX, SMITH, HORIZON, ggx_horizon_plane_table)
 
 #define ALL_MODELS(X) LOBE_MODELS(X) TILTED_MODELS(X)

@@ -118,8 +118,10 @@ static const row rows[ROW_COUNT] = {ALL_MODELS(TABLE_ROW)};
     [LOBE_NDF_##NDF][LOBE_MASKING_##MASKING][LOBE_METHOD_##METHOD] = INDEX_##kernel + 1,
 static const unsigned char row_of[LOBE_NDF_COUNT][LOBE_MASKING_COUNT][LOBE_METHOD_COUNT] = {
     LOBE_MODELS(FIND_ROW)};
-/* The cosine of the tilt from which on a model for two planes is worth its price. */
-#define TILT_COSINE R(0.94)
+/* The cosine of the tilt from which on a model for two planes is worth its price: a table of nodes, and an
+ * ellipse. */
+#define TABLE_TILT_COSINE R(0.95)
+#define ELLIPSE_TILT_COSINE R(0.985)
 
 static const unsigned char tilted_row_of[LOBE_NDF_COUNT][LOBE_MASKING_COUNT][LOBE_METHOD_COUNT] = {
     TILTED_MODELS(FIND_ROW)};
@@ -136,9 +138,8 @@ int LOBE_NAME(find_row)(lobe_model m) {
  * (docs/horizon-planes.md). One rule for sampler and density: they share the prepared row. */
 static int row_above(lobe_model m, v3 plane) {
     unsigned char tilted = tilted_row_of[m.ndf][m.masking][m.method];
-    if (m.method == LOBE_METHOD_HORIZON_UNIFORM)
-        tilted = tilted_row_of[m.ndf][m.masking][LOBE_METHOD_HORIZON]; /* with a floor of 1 */
-    bool is_steep = plane.z < TILT_COSINE;
+    bool is_table = m.method == LOBE_METHOD_HORIZON;
+    bool is_steep = plane.z < (is_table ? TABLE_TILT_COSINE : ELLIPSE_TILT_COSINE);
     return is_steep && tilted ? tilted - 1 : LOBE_NAME(find_row)(m);
 }
 
@@ -154,8 +155,7 @@ model_type LOBE_NAME(reflection_prepare_above)(lobe_reflection_options options, 
     facet_options choices = facet_options_of(options.g2 == LOBE_G2_SEPARABLE,
                                              options.normalization == LOBE_NORMALIZATION_PREVIOUS);
     choices.plane = in(geometric_normal);
-    bool is_uniform = options.model.method == LOBE_METHOD_HORIZON_UNIFORM;
-    choices.floor_share = is_uniform ? R(1.0) : (real)options.floor;
+    choices.floor_share = (real)options.floor;
     if (LOBE_NAME(find_row)(options.model) < 0) return no_model();
     int index = row_above(options.model, choices.plane);
     return rows[index].prepare(in(wi), alpha_x, alpha_y, choices);

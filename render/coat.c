@@ -44,7 +44,7 @@ static float column_cosine(int column, float roughness) {
 }
 
 static float albedo_of(lobe_microsurface s, const coat *c, float x, float y, float z) {
-    lobe_reflectance f = {LOBE_REFLECTANCE_DIELECTRIC, (double)COAT_IOR, 0.0};
+    lobe_reflectance f = {LOBE_REFLECTANCE_DIELECTRIC, (double)c->table->ior, 0.0};
     lobe_vec3_f64 wi = {(double)x, (double)y, (double)z};
     s.alpha_x = (double)c->alpha_x;
     s.alpha_y = (double)c->alpha_y;
@@ -136,7 +136,7 @@ static int build(coat_table *table, lobe_microsurface s, int has_anisotropy) {
 #pragma omp parallel for collapse(2) schedule(dynamic)
     for (int r = 0; r < COAT_ROWS; r++)
         for (int k = first; k < COAT_RATIOS; k++) {
-            coat c = node_at(NULL, (float)r / (COAT_ROWS - 1), (float)k / (COAT_RATIOS - 1));
+            coat c = node_at(table, (float)r / (COAT_ROWS - 1), (float)k / (COAT_RATIOS - 1));
             for (int column = 0; column < COAT_COLUMNS; column++)
                 fill(s, &c, column, raw->albedo[r][k][column]);
         }
@@ -154,21 +154,44 @@ static int build(coat_table *table, lobe_microsurface s, int has_anisotropy) {
     return 1;
 }
 
-const coat_table *lobe_coat_table(lobe_ndf ndf, lobe_masking masking, lobe_g2 g2,
+/* A table and what it is of. */
+typedef struct coat_entry {
+    lobe_microsurface surface;
+    int has_anisotropy;
+    coat_table table;
+    struct coat_entry *next;
+} coat_entry;
+
+static int is_of(const coat_entry *e, lobe_microsurface s, float ior, int has_anisotropy) {
+    return e->surface.ndf == s.ndf && e->surface.masking == s.masking && e->surface.g2 == s.g2 &&
+           e->table.ior == ior && e->has_anisotropy == has_anisotropy;
+}
+
+static coat_entry *make_entry(lobe_microsurface s, float ior, int has_anisotropy) {
+    coat_entry *e = calloc(1, sizeof *e);
+    if (!e) return NULL;
+    e->surface = s;
+    e->has_anisotropy = has_anisotropy;
+    e->table.ior = ior;
+    if (build(&e->table, s, has_anisotropy)) return e;
+    free(e);
+    return NULL;
+}
+
+const coat_table *lobe_coat_table(lobe_ndf ndf, lobe_masking masking, lobe_g2 g2, float ior,
                                   int has_anisotropy) {
-    static coat_table *tables[LOBE_NDF_COUNT][LOBE_MASKING_COUNT][2][2];
-    coat_table **table = &tables[ndf][masking][g2 == LOBE_G2_SEPARABLE][has_anisotropy != 0];
-    const coat_table *result;
+    static coat_entry *entries;
+    lobe_microsurface s = {ndf, masking, g2, 0.0, 0.0};
+    coat_entry *e;
 #pragma omp critical(lobe_coat)
     {
-        if (!*table && (*table = calloc(1, sizeof **table)) &&
-            !build(*table, (lobe_microsurface){ndf, masking, g2, 0.0, 0.0}, has_anisotropy)) {
-            free(*table);
-            *table = NULL;
+        for (e = entries; e && !is_of(e, s, ior, has_anisotropy != 0);) e = e->next;
+        if (!e && (e = make_entry(s, ior, has_anisotropy != 0))) {
+            e->next = entries;
+            entries = e;
         }
-        result = *table;
     }
-    return result;
+    return e ? &e->table : NULL;
 }
 
 coat lobe_coat_at(const coat_table *table, const lobe_reflection_f32 *ggx) {
@@ -208,7 +231,7 @@ static float mix_face(const float face[COAT_COLUMNS][COAT_AZIMUTHS], int column,
 
 float lobe_coat_albedo(const coat *c, vec3 direction) {
     if (c->is_mirror && direction.z > 0.0f)
-        return lobe_fresnel_dielectric_f32(COAT_IOR, direction.z);
+        return lobe_fresnel_dielectric_f32(c->table->ior, direction.z);
     float toward = roughness_toward(c, direction), width = c->wide - c->narrow;
     float turn = width > 0.0f ? (toward - c->narrow) / width : 0.0f;
     float along, aside, across, around;
@@ -226,7 +249,7 @@ float lobe_coat_albedo(const coat *c, vec3 direction) {
 }
 
 float lobe_coat_average(const coat *c) {
-    if (c->is_mirror) return lobe_fresnel_dielectric_average_f32(COAT_IOR);
+    if (c->is_mirror) return lobe_fresnel_dielectric_average_f32(c->table->ior);
     float along, aside;
     int row = place(c->row * (COAT_AVERAGE_ROWS - 1), COAT_AVERAGE_ROWS, &along);
     int ratio = place(c->ratio * (COAT_AVERAGE_RATIOS - 1), COAT_AVERAGE_RATIOS, &aside);

@@ -1,4 +1,4 @@
-/* The albedo E of a dielectric GGX coat of index 1.5, and its average, at little cost per shading.
+/* The albedo E of a dielectric GGX coat, and its average, at little cost per shading: a table an index.
  *
  * E depends on the direction (two numbers) and on both roughnesses: a table of four dimensions,
  * interpolated linearly, its axes bent to where E turns:
@@ -10,7 +10,7 @@
  * Where E is concave a chord lies below it. There the nodes are raised: the table bounds E from above,
  * and what the coat and the base below it (material.h) reflect together stays below 1. The average is
  * that of the table as it is read, over the azimuth too.
- * Measured, E - table, roughness 0.01 to 1 and cosine 0.001 to 1: isotropic -0.0041 to 0.0004;
+ * Measured at an index of 1.5, E - table, roughness 0.01 to 1 and cosine 0.001 to 1: isotropic -0.0041 to 0.0004;
  * anisotropy 0.5 -0.0058 to 0.0003, 0.7 -0.0075, 0.9 -0.0243, 0.95 -0.0418 to 0.0006. */
 #ifndef LOBE_RENDER_COAT_H
 #define LOBE_RENDER_COAT_H
@@ -18,7 +18,7 @@
 #include "lobe/albedo.h"
 #include "vector.h"
 
-#define COAT_IOR 1.5f
+#define COAT_IOR 1.5f /* where nothing else is said */
 
 enum {
     COAT_ROWS = 16,
@@ -32,13 +32,14 @@ enum {
 };
 
 typedef struct coat_table {
+    float ior;
     float albedo[COAT_ROWS][COAT_RATIOS][COAT_COLUMNS][COAT_AZIMUTHS];
     float average[COAT_AVERAGE_ROWS][COAT_AVERAGE_RATIOS];
 } coat_table;
 
 /* The table of a microsurface, made at the first call and kept. Without anisotropy it holds what equal
  * roughnesses read and takes a twentieth of the time. NULL: memory is lacking. */
-const coat_table *lobe_coat_table(lobe_ndf ndf, lobe_masking masking, lobe_g2 g2,
+const coat_table *lobe_coat_table(lobe_ndf ndf, lobe_masking masking, lobe_g2 g2, float ior,
                                   int has_anisotropy);
 
 /* The coat at a shading point. */

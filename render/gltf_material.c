@@ -123,6 +123,31 @@ static vec3 emission_of(const gltf_material *from) {
     return v3_scale(color, strength);
 }
 
+/* 0 stands for an infinite index, an old way to say what is reflected. */
+static float index_of(double ior) {
+    const float largest = 1000.0f;
+    if (ior == 0.0) return largest;
+    return fminf(fmaxf(finite_or(ior, COAT_IOR), 1.0f), largest);
+}
+
+/* color = exp(-absorption distance). Black takes what a float can hold. */
+static float absorption_of(double color, double distance) {
+    if (!(distance > 0.0) || !(color < 1.0)) return 0.0f;
+    return (float)fmin(-log(fmax(color, 1e-30)) / distance, 1e30);
+}
+
+static void read_glass(material_reader *k, const gltf_material *from, material_needs *needs,
+                       material *m) {
+    const double *color = from->attenuation_color, distance = from->attenuation_distance;
+    m->ior = index_of(from->ior);
+    m->transmission = unit(from->transmission);
+    if (!(m->transmission > 0.0f)) return;
+    m->transmission_map = read_map(k, &from->transmissive, 0, needs);
+    m->thickness = fmaxf(finite_or(from->thickness, 0.0f), 0.0f);
+    m->absorption = v3(absorption_of(color[0], distance), absorption_of(color[1], distance),
+                       absorption_of(color[2], distance));
+}
+
 static material read_material(material_reader *k, const gltf_material *from,
                               material_needs *needs) {
     material m = lobe_default_material();
@@ -147,6 +172,7 @@ static material read_material(material_reader *k, const gltf_material *from,
     m.stretch_x = cosf(finite_or(from->anisotropy_rotation, 0.0f));
     m.stretch_y = sinf(finite_or(from->anisotropy_rotation, 0.0f));
     if (m.stretch > 0.0f) m.stretch_map = read_map(k, &from->anisotropic, 0, needs);
+    read_glass(k, from, needs, &m);
     /* tangents are along the first set, if nothing asks for another one */
     if (m.stretch > 0.0f && needs->uv_sets[0] < 0) needs->uv_sets[0] = 0;
     return m;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
@@ -241,6 +242,15 @@ gltf_material plain(const tinygltf::Material &m) {
     material.anisotropy = number(anisotropy, "anisotropyStrength", 0.0);
     material.anisotropy_rotation = number(anisotropy, "anisotropyRotation", 0.0);
     material.anisotropic = use_of(member(anisotropy, "anisotropyTexture"));
+    const Value *transmission = find(m.extensions, "KHR_materials_transmission");
+    material.transmission = number(transmission, "transmissionFactor", 0.0);
+    material.transmissive = use_of(member(transmission, "transmissionTexture"));
+    material.ior = number(find(m.extensions, "KHR_materials_ior"), "ior", 1.5);
+    const Value *volume = find(m.extensions, "KHR_materials_volume");
+    material.thickness = number(volume, "thicknessFactor", 0.0);
+    material.attenuation_distance = number(volume, "attenuationDistance", HUGE_VAL);
+    std::fill(material.attenuation_color, material.attenuation_color + 3, 1.0);
+    numbers(volume, "attenuationColor", material.attenuation_color, 3);
     material.base = use_of(m.pbrMetallicRoughness.baseColorTexture);
     material.surface = use_of(m.pbrMetallicRoughness.metallicRoughnessTexture);
     material.normal = use_of(m.normalTexture);

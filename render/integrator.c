@@ -9,6 +9,7 @@ typedef struct hit_point {
     const material *material;
     float u[2], v[2];
     float turn;     /* -1: the tangent frame is left-handed */
+    int is_back;    /* the triangle faces away */
     vec3 darkening; /* of the base colour, by the colours of the vertices */
     vec3 emission;
 } hit_point;
@@ -18,8 +19,12 @@ typedef struct path {
     const integrator *k;
     sampler *points;
     vec3 origin, direction, throughput;
-    float pdf;     /* of `direction`; a point mass: infinite */
-    int is_camera; /* no surface yet: light is taken as it is */
+    vec3
+        place; /* on the surface where the path was last: what lies in a solid is measured from it */
+    float pdf;    /* of `direction`; a point mass: infinite */
+    float spread; /* by which refraction has shrunk radiance so far: what returns on leaving */
+    const material *inside; /* the solid in which the path is; NULL: none. They do not nest */
+    int is_camera;          /* no surface yet: light is taken as it is */
     film_sample sample;
     uint64_t rays;
 } path;
@@ -99,6 +104,7 @@ static hit_point hit_point_of(const lobe_scene *s, const ray_hit *hit, vec3 dire
     vec3 mapped = mapped_normal(s, &h, &smooth, a->handedness);
     h.shading = frame_of(v3_scale(mapped, side), tangent);
     h.turn = side * a->handedness;
+    h.is_back = side < 0.0f;
     h.emission = h.material->is_unlit
                      ? base_color_at(s, &h)
                      : v3_mul(h.material->emission,
@@ -123,15 +129,40 @@ static void stretch(const lobe_scene *s, const hit_point *h, frame *shading, flo
     *anisotropy = (alpha_x - alpha_y) / (alpha_x + alpha_y);
 }
 
-static surface surface_of(const integrator *k, const hit_point *h, vec3 to_viewer) {
+/* Whether the far side is another medium. */
+static int is_solid(const material *m) {
+    return m->transmission > 0.0f && m->thickness > 0.0f;
+}
+
+static surface surface_of(const integrator *k, const hit_point *h, vec3 to_viewer, glass *room) {
     const material *m = h->material;
     vec3 packed = sample_map(k->scene, &m->surface_map, h, v3_all(1.0f));
+    vec3 base_color = base_color_at(k->scene, h);
+    float metallic = m->metallic * packed.z;
+    float transmission = m->transmission;
+    if (transmission > 0.0f)
+        transmission *=
+            (1.0f - metallic) * sample_map(k->scene, &m->transmission_map, h, v3_all(1.0f)).x;
     frame shading = h->shading;
     float roughness = m->roughness * packed.y, anisotropy = m->anisotropy;
     if (m->stretch > 0.0f) stretch(k->scene, h, &shading, &roughness, &anisotropy);
-    return lobe_surface_at(&k->surface, shading, h->geometric, to_viewer,
-                           base_color_at(k->scene, h), m->metallic * packed.z, roughness,
-                           anisotropy);
+    /* of what is not glass, the same amount is metal */
+    if (transmission > 0.0f) metallic /= fmaxf(1.0f - transmission, 1e-6f);
+    surface_options options = k->surface;
+    options.coat = k->coats[h->triangle->material];
+    surface s = lobe_surface_at(&options, shading, h->geometric, to_viewer, base_color,
+                                fminf(metallic, 1.0f), roughness, anisotropy);
+    if (transmission > 0.0f) {
+        float alpha = roughness * roughness;
+        glass_material g = {transmission,
+                            m->ior,
+                            !is_solid(m),
+                            base_color,
+                            alpha * (1.0f + anisotropy),
+                            alpha * (1.0f - anisotropy)};
+        lobe_surface_add_glass(&s, room, &k->surface, g, to_viewer, h->is_back);
+    }
+    return s;
 }
 
 /* Share of a sample of density a when b could have made it too. */
@@ -172,10 +203,28 @@ static void add_sky(path *p) {
     add_met_light(p, lobe_environment_at(&s->sky, p->direction), pdf);
 }
 
-/* A place off the surface, so that a ray does not meet it again. */
-static vec3 lift(const hit_point *h) {
+/* A place off the surface, on the side of the viewer or beyond, so that a ray does not meet it again. */
+static vec3 lift(const hit_point *h, int is_beyond) {
     float size = fmaxf(fabsf(h->position.x), fmaxf(fabsf(h->position.y), fabsf(h->position.z)));
-    return v3_add(h->position, v3_scale(h->geometric, 2e-5f * (size + h->distance)));
+    float height = 2e-5f * (size + h->distance);
+    return v3_add(h->position, v3_scale(h->geometric, is_beyond ? -height : height));
+}
+
+static int goes_through(const hit_point *h, const surface *s, vec3 direction) {
+    return s->glass && v3_dot(direction, h->geometric) < 0.0f;
+}
+
+/* The solid in which the path goes on. */
+static const material *inside_after(const path *p, const hit_point *h, int is_through) {
+    if (!is_through || !is_solid(h->material)) return p->inside;
+    return h->is_back ? NULL : h->material;
+}
+
+/* Beer's law. What leaves a solid that is not closed is not absorbed. */
+static vec3 absorbed(const material *inside, vec3 light, float distance) {
+    if (!inside || !(v3_max(inside->absorption) > 0.0f) || !isfinite(distance)) return light;
+    vec3 a = v3_scale(inside->absorption, -distance);
+    return v3_mul(light, v3(expf(a.x), expf(a.y), expf(a.z)));
 }
 
 /* One point of light: direction, distance, radiance and density over directions. A point mass:
@@ -278,20 +327,23 @@ static void add_drawn_light(path *p, const hit_point *h, const surface *surface)
     const lobe_scene *s = p->k->scene;
     sampler_point point = lobe_sampler_next(p->points);
     if (p->k->heuristic == LOBE_HEURISTIC_BSDF_ONLY) return;
-    /* nothing but a point mass; the base below a coat that is a mirror still sees the lamps */
-    if (surface->ggx.is_mirror && surface->specular >= 1.0f) return;
+    /* the base below a coat that is a mirror still sees the lamps */
+    if (lobe_surface_is_clear(surface)) return;
     if (!s->light_table.cells && sky_probability(s) == 0.0f) return;
-    vec3 from = lift(h);
+    vec3 from = lift(h, 0);
     light_sample l = draw_light(s, from, point);
     if (!(l.pdf > 0.0f)) return;
     float pdf;
     vec3 value = lobe_surface_value(surface, l.direction, &pdf);
     if (!(v3_max(value) > 0.0f)) return;
     if (!(v3_max(l.radiance) > 0.0f)) return;
+    int is_through = goes_through(h, surface, l.direction);
+    if (is_through) from = lift(h, 1);
     float share = transmittance(p, from, l.direction, l.distance * 0.9999f);
     if (!l.is_point_mass) share *= weigh(p->k->heuristic, l.pdf, pdf, 1);
     if (!(share > 0.0f)) return;
     vec3 light = v3_mul(p->throughput, v3_mul(value, l.radiance));
+    light = absorbed(inside_after(p, h, is_through), light, l.distance);
     p->sample.radiance = v3_add(p->sample.radiance, v3_scale(light, share / l.pdf));
 }
 
@@ -302,21 +354,34 @@ static void keep_first_hit(path *p, const hit_point *h, const surface *surface) 
     p->sample.vndf_integral = lobe_reflection_vndf_integral_f32(&surface->ggx);
 }
 
+static void go_on(path *p, const hit_point *h, const surface *surface, vec3 direction) {
+    int is_through = goes_through(h, surface, direction);
+    p->origin = lift(h, is_through);
+    p->place = h->position;
+    p->direction = direction;
+    p->is_camera = 0;
+    if (!is_through || !is_solid(h->material)) return;
+    float ior2 = h->material->ior * h->material->ior;
+    p->spread *= h->is_back ? 1.0f / ior2 : ior2;
+    p->inside = inside_after(p, h, 1);
+}
+
 /* Go on in a drawn direction; 0: the path ends. */
 static int scatter(path *p, const hit_point *h, const surface *surface, int scatterings) {
     sampler_point point = lobe_sampler_next(p->points);
-    surface_draw d = lobe_surface_draw(surface, sampler_unit(point.bits[0]),
-                                       sampler_unit(point.bits[1]), sampler_unit(point.bits[2]));
+    float side = 0.0f;
+    if (surface->glass) side = sampler_unit(lobe_sampler_next(p->points).bits[0]);
+    surface_draw d =
+        lobe_surface_draw(surface, sampler_unit(point.bits[0]), sampler_unit(point.bits[1]),
+                          sampler_unit(point.bits[2]), side);
     p->sample.draws += (uint32_t)d.is_ggx;
     p->sample.rejected += d.is_ggx && !(d.pdf > 0.0f);
     if (!(d.pdf > 0.0f)) return 0;
     p->throughput = v3_mul(p->throughput, d.weight);
     p->pdf = d.is_mirror ? INFINITY : d.pdf;
-    p->origin = lift(h);
-    p->direction = d.direction;
-    p->is_camera = 0;
+    go_on(p, h, surface, d.direction);
     if (scatterings < p->k->roulette_depth) return v3_max(p->throughput) > 0.0f;
-    float survival = fminf(v3_max(p->throughput), 0.95f);
+    float survival = fminf(v3_max(p->throughput) * p->spread, 0.95f);
     if (!(sampler_unit(point.bits[3]) < survival)) return 0;
     p->throughput = v3_scale(p->throughput, 1.0f / survival);
     return 1;
@@ -341,10 +406,13 @@ film_sample lobe_trace_path(const integrator *k, vec3 origin, vec3 direction, sa
     path p = {.k = k,
               .points = points,
               .origin = origin,
+              .place = origin,
               .direction = direction,
               .throughput = v3_all(1.0f),
+              .spread = 1.0f,
               .is_camera = 1,
               .sample.vndf_integral = 1.0f};
+    glass room;
     for (int scatterings = 0;; scatterings++) {
         ray_hit hit;
         if (!meet_surface(&p, &hit)) {
@@ -352,8 +420,12 @@ film_sample lobe_trace_path(const integrator *k, vec3 origin, vec3 direction, sa
             break;
         }
         hit_point h = hit_point_of(k->scene, &hit, p.direction);
+        /* a camera inside */
+        if (!p.inside && h.is_back && is_solid(h.material)) p.inside = h.material;
+        if (p.inside)
+            p.throughput = absorbed(p.inside, p.throughput, v3_length(v3_sub(h.position, p.place)));
         add_met_light(&p, h.emission, lamp_pdf(k->scene, &h, p.direction));
-        surface s = surface_of(k, &h, v3_neg(p.direction));
+        surface s = surface_of(k, &h, v3_neg(p.direction), &room);
         if (scatterings == 0) keep_first_hit(&p, &h, &s);
         if (scatterings == k->depth || h.material->is_unlit) break;
         add_drawn_light(&p, &h, &s);

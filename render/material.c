@@ -1,7 +1,7 @@
 #include "material.h"
 
 static vec3 fresnel(const surface *s, float cosine) {
-    float coat = (1.0f - s->metallic) * lobe_fresnel_dielectric_f32(COAT_IOR, cosine);
+    float coat = (1.0f - s->metallic) * lobe_fresnel_dielectric_f32(s->ior, cosine);
     vec3 f0 = s->base_color;
     vec3 metal = {lobe_fresnel_schlick_f32(f0.x, cosine), lobe_fresnel_schlick_f32(f0.y, cosine),
                   lobe_fresnel_schlick_f32(f0.z, cosine)};
@@ -45,16 +45,36 @@ static float specular_probability(const surface *s, float coat_i, float rest) {
     return clampf(specular / fmaxf(specular + diffuse, 1e-6f), 0.1f, 1.0f);
 }
 
+/* A metal smoother than this rejects so little that the picture does not show it. */
+#define SMOOTH_ALPHA 0.1f
+/* From this tilt of the shading normal on, the smaller of two ellipses rejects less than the one of
+ * `horizon`, and a table of nodes costs more than it saves. */
+#define TILT_COSINE 0.985f
+
+/* LOBE_METHOD_COUNT is a choice by surface: the least error at equal time over the scenes of
+ * docs/horizon-results.md. The coat is a small part of a dielectric's light: the cheapest draw is enough.
+ * Sampler and density share what is prepared here. */
+static lobe_method method_of(lobe_method asked, float metallic, float alpha, float tilt_cosine) {
+    if (asked != LOBE_METHOD_COUNT) return asked;
+    if (metallic < 0.5f || alpha < SMOOTH_ALPHA) return LOBE_METHOD_BOUNDED;
+    return tilt_cosine < TILT_COSINE ? LOBE_METHOD_HORIZON_UNIFORM : LOBE_METHOD_HORIZON;
+}
+
 surface lobe_surface_at(const surface_options *options, frame shading, vec3 geometric,
                         vec3 to_viewer, vec3 base_color, float metallic, float roughness,
                         float anisotropy) {
-    surface s = {
-        .frame = shading, .geometric = geometric, .base_color = base_color, .metallic = metallic};
+    surface s = {.frame = shading,
+                 .geometric = geometric,
+                 .base_color = base_color,
+                 .metallic = metallic,
+                 .ior = options->coat->ior};
     lobe_vec3_f32 wi = frame_to_local(&shading, to_viewer);
     float alpha = roughness * roughness;
-    s.ggx = lobe_reflection_prepare_above_f32(options->ggx, wi, alpha * (1.0f + anisotropy),
-                                              alpha * (1.0f - anisotropy),
-                                              frame_to_local(&shading, geometric));
+    vec3 plane = frame_to_local(&shading, geometric);
+    lobe_reflection_options ggx = options->ggx;
+    ggx.model.method = method_of(ggx.model.method, metallic, alpha, plane.z);
+    s.ggx = lobe_reflection_prepare_above_f32(ggx, wi, alpha * (1.0f + anisotropy),
+                                              alpha * (1.0f - anisotropy), plane);
     float rest = compensate(&s, options->multiscatter, &options->ggx);
     s.specular = rest > 0.0f ? specular_probability(&s, 0.0f, rest) : 1.0f;
     if (metallic >= 1.0f) return s;
@@ -66,18 +86,56 @@ surface lobe_surface_at(const surface_options *options, frame shading, vec3 geom
     return s;
 }
 
-vec3 lobe_surface_value(const surface *s, vec3 direction, float *pdf) {
-    *pdf = 0.0f;
-    vec3 wo = frame_to_local(&s->frame, direction);
-    if (!(wo.z > 0.0f) || !(v3_dot(direction, s->geometric) > 0.0f)) return v3_all(0.0f);
-    lobe_reflection_eval_f32 e = lobe_reflection_eval_wo_f32(&s->ggx, wo);
-    vec3 value = v3_scale(fresnel(s, e.cos_im), e.f_cos);
-    *pdf = s->specular * e.pdf + (1.0f - s->specular) * wo.z / LOBE_PI;
+void lobe_surface_add_glass(surface *s, glass *room, const surface_options *options,
+                            glass_material material, vec3 to_viewer, int is_back) {
+    glass_options o = {options->ggx, options->multiscatter != LOBE_MULTISCATTER_NONE};
+    *room = lobe_glass_at(&o, material, s->frame, s->geometric, to_viewer, is_back);
+    s->glass = room;
+}
+
+static float glass_share(const surface *s) {
+    return s->glass ? s->glass->material.share : 0.0f;
+}
+
+int lobe_surface_is_clear(const surface *s) {
+    float share = glass_share(s);
+    if (share > 0.0f && !lobe_glass_is_clear(s->glass)) return 0;
+    return share >= 1.0f || (s->ggx.is_mirror && s->specular >= 1.0f);
+}
+
+/* What the GGX alone makes of a direction. */
+typedef struct ggx_value {
+    float f_cos, pdf, cos_im;
+} ggx_value;
+
+/* All opaque lobes, and the density of drawing any of them. */
+static vec3 value_of(const surface *s, vec3 wo, ggx_value ggx, float *pdf) {
+    vec3 value = v3_scale(fresnel(s, ggx.cos_im), ggx.f_cos);
+    *pdf = s->specular * ggx.pdf + (1.0f - s->specular) * wo.z / LOBE_PI;
     if (v3_max(s->rest) > 0.0f)
         value = v3_add(value, v3_scale(s->rest, lobe_albedo_missing_f32(&s->albedo, wo) * wo.z));
     if (!(s->base_share_i > 0.0f)) return value;
     float share = s->base_share_i * (1.0f - lobe_coat_albedo(&s->coat, wo)) * wo.z;
     return v3_add(value, v3_scale(s->base_color, share));
+}
+
+static vec3 opaque_value(const surface *s, vec3 direction, float *pdf) {
+    *pdf = 0.0f;
+    vec3 wo = frame_to_local(&s->frame, direction);
+    if (!(wo.z > 0.0f) || !(v3_dot(direction, s->geometric) > 0.0f)) return v3_all(0.0f);
+    lobe_reflection_eval_f32 e = lobe_reflection_eval_wo_f32(&s->ggx, wo);
+    return value_of(s, wo, (ggx_value){e.f_cos, e.pdf, e.cos_im}, pdf);
+}
+
+vec3 lobe_surface_value(const surface *s, vec3 direction, float *pdf) {
+    float share = glass_share(s);
+    if (!(share > 0.0f)) return opaque_value(s, direction, pdf);
+    vec3 value = v3_scale(lobe_glass_value(s->glass, direction, pdf), share);
+    if (share >= 1.0f) return value;
+    float pdf_of_rest;
+    vec3 rest = opaque_value(s, direction, &pdf_of_rest);
+    *pdf = share * *pdf + (1.0f - share) * pdf_of_rest;
+    return v3_add(value, v3_scale(rest, 1.0f - share));
 }
 
 static surface_draw rejected(int is_ggx) {
@@ -95,8 +153,9 @@ static surface_draw draw_ggx(const surface *s, float u1, float u2, float u3) {
         draw.weight = v3_scale(fresnel(s, d.cos_im), d.weight / s->specular);
         return draw;
     }
-    vec3 value = lobe_surface_value(s, direction, &draw.pdf);
-    draw.weight = draw.pdf > 0.0f ? v3_scale(value, 1.0f / draw.pdf) : v3_all(0.0f);
+    /* the draw knows the GGX's value and density: nothing is prepared or evaluated again */
+    vec3 value = value_of(s, d.wo, (ggx_value){d.weight * d.pdf, d.pdf, d.cos_im}, &draw.pdf);
+    draw.weight = v3_scale(value, 1.0f / draw.pdf);
     return draw;
 }
 
@@ -110,8 +169,32 @@ static surface_draw draw_base(const surface *s, float u1, float u2) {
     return draw;
 }
 
-surface_draw lobe_surface_draw(const surface *s, float choice, float u1, float u2) {
+static surface_draw draw_opaque(const surface *s, float choice, float u1, float u2) {
     /* what is left of the choice is a number of its own */
     if (choice < s->specular) return draw_ggx(s, u1, u2, choice / s->specular);
     return draw_base(s, u1, u2);
+}
+
+/* A draw of one of several lobes, weighed as one of all. Of a point mass nothing else can be drawn, and
+ * its share is its probability. */
+static surface_draw among_others(const surface *s, surface_draw d, float probability) {
+    if (!(d.pdf > 0.0f)) return d;
+    if (d.is_mirror) {
+        d.pdf *= probability;
+        return d;
+    }
+    vec3 value = lobe_surface_value(s, d.direction, &d.pdf);
+    d.weight = d.pdf > 0.0f ? v3_scale(value, 1.0f / d.pdf) : v3_all(0.0f);
+    return d;
+}
+
+surface_draw lobe_surface_draw(const surface *s, float choice, float u1, float u2, float side) {
+    float share = glass_share(s);
+    if (!(share > 0.0f)) return draw_opaque(s, choice, u1, u2);
+    if (!(choice < share))
+        return among_others(s, draw_opaque(s, (choice - share) / (1.0f - share), u1, u2),
+                            1.0f - share);
+    glass_draw g = lobe_glass_draw(s->glass, u1, u2, choice / share, side);
+    surface_draw d = {g.direction, g.weight, g.pdf, g.is_point, 1};
+    return share < 1.0f ? among_others(s, d, share) : d;
 }

@@ -1,10 +1,12 @@
 /* Reflection at a point: a GGX coat or metal over a diffuse base (glTF 2.0), as one density.
  *
- * Metal and coat share one GGX: F = metallic * Schlick(base colour) + (1 - metallic) * dielectric 1.5.
+ * Metal and coat share one GGX: F = metallic * Schlick(base colour) + (1 - metallic) * dielectric.
  * The base gets what the coat lets through (Kelemen & Szirmay-Kalos 2001):
  * f = base (1 - E(i)) (1 - E(o)) / (pi (1 - E_avg)), E the albedo of the coat as the table of coat.h
  * has it, E_avg its exact average. A white dielectric then reflects 1 + (true E - E of the table):
  * all light, and never more, for the table bounds E from above.
+ *
+ * What transmits is a share of the surface, beside all of this (glass.h).
  *
  * What the metal scatters more than once is left out, added as a second lobe (Kulla & Conty 2017), drawn
  * like the base, or made up for by a factor (Turquin 2019): lobe/albedo.h. */
@@ -12,6 +14,7 @@
 #define LOBE_RENDER_MATERIAL_H
 
 #include "coat.h"
+#include "glass.h"
 #include "lobe/fresnel.h"
 #include "lobe/render.h"
 
@@ -21,12 +24,14 @@ typedef struct surface {
     lobe_reflection_f32 ggx; /* wi is in the shading frame */
     vec3 base_color;
     float metallic;
+    float ior;
     coat coat;
     float base_share_i;     /* (1 - metallic) (1 - E(i))/(pi (1 - E_avg)); 0: no base */
     lobe_albedo_f32 albedo; /* of the metal, with F = 1 */
     vec3 rest;              /* colour of the metal's second lobe: its f is rest * (1 - E(o)) */
     vec3 factor;            /* on the metal's first */
     float specular;         /* probability of drawing from the GGX */
+    const glass *glass;     /* NULL: none; its share is also the probability of drawing from it */
 } surface;
 
 typedef struct surface_draw {
@@ -47,9 +52,19 @@ typedef struct surface_options {
 surface lobe_surface_at(const surface_options *options, frame shading, vec3 geometric,
                         vec3 to_viewer, vec3 base_color, float metallic, float roughness,
                         float anisotropy);
-surface_draw lobe_surface_draw(const surface *s, float choice, float u1, float u2);
 
-/* f cos and density at a direction; 0 below either surface, and for mirrors. */
+/* Puts glass in place of a share of a surface; what was there stays as the rest. It is kept in `room`,
+ * which few surfaces need and all would pay for. */
+void lobe_surface_add_glass(surface *s, glass *room, const surface_options *options,
+                            glass_material material, vec3 to_viewer, int is_back);
+
+/* `side` is read by glass only: reflected or transmitted. */
+surface_draw lobe_surface_draw(const surface *s, float choice, float u1, float u2, float side);
+
+/* f cos and density at a direction; 0 of point masses, and of opaque surfaces below either surface. */
 vec3 lobe_surface_value(const surface *s, vec3 direction, float *pdf);
+
+/* Nothing but point masses: no lamp can be drawn for it. */
+int lobe_surface_is_clear(const surface *s);
 
 #endif

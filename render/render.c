@@ -34,9 +34,7 @@ const char *lobe_heuristic_name(lobe_heuristic heuristic) {
 
 lobe_render_options lobe_render_default_options(void) {
     lobe_reflection_options reflection = lobe_reflection_default_options();
-    /* least error at equal time over the scenes of docs/horizon-results.md */
-    reflection.model.method = LOBE_METHOD_BOUNDED;
-    reflection.floor = 0.1; /* lamps near the horizon are drawn as emitters */
+    reflection.model.method = LOBE_METHOD_COUNT; /* by surface: render/material.c */
     return (lobe_render_options){.reflection = reflection,
                                  .width = 960,
                                  .height = 540,
@@ -181,6 +179,20 @@ static lobe_render_result aim(job *j) {
     return LOBE_RENDER_OK;
 }
 
+const char *lobe_render_method_name(lobe_method method) {
+    return method == LOBE_METHOD_COUNT ? "by surface" : lobe_method_name(method);
+}
+
+static lobe_method method_or_best(lobe_model model) {
+    return model.method == LOBE_METHOD_COUNT ? lobe_best_method(model.ndf, model.masking)
+                                             : model.method;
+}
+
+static int is_offered(lobe_model model) {
+    model.method = method_or_best(model);
+    return lobe_model_exists(model);
+}
+
 static lobe_render_result check_options(const lobe_render_options *o) {
     if (o->width < 1 || o->height < 1 || o->width > LOBE_RENDER_SIZE_MAX ||
         o->height > LOBE_RENDER_SIZE_MAX)
@@ -200,7 +212,7 @@ static lobe_render_result check_options(const lobe_render_options *o) {
         (model.ndf != LOBE_NDF_GGX || model.masking != LOBE_MASKING_SMITH))
         return lobe_fail(LOBE_RENDER_BAD_INPUT,
                          "multiscatter: known for --ndf ggx --masking smith only; leave it out");
-    if (!lobe_model_exists(model) || (unsigned)o->multiscatter > LOBE_MULTISCATTER_TURQUIN ||
+    if (!is_offered(model) || (unsigned)o->multiscatter > LOBE_MULTISCATTER_TURQUIN ||
         !(o->reflection.floor >= 0.0 && o->reflection.floor <= 1.0) ||
         (unsigned)o->heuristic >= 4u || !(o->time_limit >= 0.0))
         return lobe_fail(LOBE_RENDER_BAD_INPUT,
@@ -238,12 +250,58 @@ static int render_passes(job *j, int threads) {
 static void keep_metadata(job *j, double seconds) {
     film_metadata *m = &j->film->metadata;
     memcpy(m->scene, j->scene->name, sizeof m->scene);
-    const char *method = lobe_method_name(j->options->reflection.model.method);
+    const char *method = lobe_render_method_name(j->options->reflection.model.method);
     memcpy(m->method, method, strlen(method) + 1);
     m->samples = j->done;
     m->seed = j->options->seed;
     m->seconds = seconds;
     m->is_rendered = 1;
+}
+
+/* The coat's table of every material, by malloc. A file with very many indices gets the nearest ones. */
+static const coat_table **find_coats(const lobe_scene *s, const lobe_reflection_options *o) {
+    enum { INDICES_MAX = 64 };
+    const coat_table *known[INDICES_MAX], **coats = malloc((s->material_count + 1) * sizeof *coats);
+    int count = 0;
+    for (uint32_t i = 0; coats && i < s->material_count; i++) {
+        const float ior = s->materials[i].ior;
+        int nearest = 0;
+        for (int k = 1; k < count; k++)
+            if (fabsf(known[k]->ior - ior) < fabsf(known[nearest]->ior - ior)) nearest = k;
+        if (count < INDICES_MAX && (count == 0 || known[nearest]->ior != ior)) {
+            nearest = count++;
+            known[nearest] =
+                lobe_coat_table(o->model.ndf, o->model.masking, o->g2, ior, s->has_anisotropy);
+        }
+        coats[i] = known[nearest];
+        if (coats[i]) continue;
+        free(coats);
+        coats = NULL;
+    }
+    return coats;
+}
+
+static lobe_render_result render_with(const coat_table *const *coats, const lobe_scene *scene,
+                                      const lobe_render_options *options, lobe_film **film,
+                                      lobe_render_statistics *statistics) {
+    job j = {.scene = scene, .options = options, .start = now(CLOCK_MONOTONIC)};
+    double cpu = now(CLOCK_PROCESS_CPUTIME_ID);
+    j.integrator = (integrator){scene,          {options->reflection, NULL, options->multiscatter},
+                                coats,          options->heuristic,
+                                options->depth, options->roulette_depth};
+    lobe_render_result result = aim(&j);
+    if (result != LOBE_RENDER_OK) return result;
+    make_filter(j.filter);
+    j.film = lobe_film_create(options->width, options->height, options->aovs);
+    if (!j.film) return lobe_fail_memory("film");
+    int threads = options->threads ? options->threads : omp_get_max_threads();
+    int finished = render_passes(&j, threads);
+    lobe_render_statistics own;
+    fill_statistics(&j, cpu, threads, statistics ? statistics : &own);
+    keep_metadata(&j, now(CLOCK_MONOTONIC) - j.start);
+    *film = j.film;
+    int cancelled = !finished && options->cancel && *options->cancel;
+    return cancelled ? LOBE_RENDER_INTERRUPTED : LOBE_RENDER_OK;
 }
 
 lobe_render_result lobe_render(const lobe_scene *scene, lobe_render_options options,
@@ -252,26 +310,12 @@ lobe_render_result lobe_render(const lobe_scene *scene, lobe_render_options opti
     lobe_render_result result = check_options(&options);
     if (result != LOBE_RENDER_OK) return result;
     lobe_model model = options.reflection.model;
-    const coat_table *coat =
-        lobe_coat_table(model.ndf, model.masking, options.reflection.g2, scene->has_anisotropy);
-    if (!coat) return lobe_fail_memory(scene->name);
-    job j = {.scene = scene, .options = &options, .start = now(CLOCK_MONOTONIC)};
-    double cpu = now(CLOCK_PROCESS_CPUTIME_ID);
-    j.integrator = (integrator){scene,
-                                {options.reflection, coat, options.multiscatter},
-                                options.heuristic,
-                                options.depth,
-                                options.roulette_depth};
-    if ((result = aim(&j)) != LOBE_RENDER_OK) return result;
-    make_filter(j.filter);
-    j.film = lobe_film_create(options.width, options.height, options.aovs);
-    if (!j.film) return lobe_fail_memory("film");
-    int threads = options.threads ? options.threads : omp_get_max_threads();
-    int finished = render_passes(&j, threads);
-    lobe_render_statistics own;
-    fill_statistics(&j, cpu, threads, statistics ? statistics : &own);
-    keep_metadata(&j, now(CLOCK_MONOTONIC) - j.start);
-    *film = j.film;
-    int cancelled = !finished && options.cancel && *options.cancel;
-    return cancelled ? LOBE_RENDER_INTERRUPTED : LOBE_RENDER_OK;
+    /* the choice by surface is known for Smith-GGX; else the best method is one for all */
+    if (model.ndf != LOBE_NDF_GGX || model.masking != LOBE_MASKING_SMITH)
+        options.reflection.model.method = method_or_best(model);
+    const coat_table **coats = find_coats(scene, &options.reflection);
+    if (!coats) return lobe_fail_memory(scene->name);
+    result = render_with(coats, scene, &options, film, statistics);
+    free(coats);
+    return result;
 }

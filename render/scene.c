@@ -88,12 +88,14 @@ material lobe_default_material(void) {
                       .roughness = 0.5f,
                       .stretch_x = 1.0f,
                       .alpha = 1.0f,
+                      .ior = COAT_IOR,
                       .normal_scale = 1.0f,
                       .base_map = lobe_texture_map(NO_TEXTURE),
                       .normal_map = lobe_texture_map(NO_TEXTURE),
                       .surface_map = lobe_texture_map(NO_TEXTURE),
                       .emission_map = lobe_texture_map(NO_TEXTURE),
-                      .stretch_map = lobe_texture_map(NO_TEXTURE)};
+                      .stretch_map = lobe_texture_map(NO_TEXTURE),
+                      .transmission_map = lobe_texture_map(NO_TEXTURE)};
 }
 
 material lobe_fallback_material(const lobe_scene_options *o) {
@@ -247,7 +249,7 @@ static void fill_info(lobe_scene *s) {
 
 static int has_anisotropy(const lobe_scene *s) {
     for (uint32_t i = 0; i < s->material_count; i++)
-        if (s->materials[i].anisotropy != 0.0f) return 1;
+        if (s->materials[i].anisotropy != 0.0f || s->materials[i].stretch > 0.0f) return 1;
     return 0;
 }
 

@@ -24,8 +24,11 @@ typedef struct material {
     float alpha, alpha_cutoff;
     alpha_mode alpha_mode;
     int is_unlit; /* shows its base colour, reflects nothing */
+    float transmission, ior;
+    float thickness; /* 0: a thin wall; else a solid, whatever the number */
+    vec3 absorption; /* of the inside, per unit of length */
     float normal_scale;
-    texture_map base_map, normal_map, surface_map, emission_map, stretch_map;
+    texture_map base_map, normal_map, surface_map, emission_map, stretch_map, transmission_map;
 } material;
 
 typedef struct vertex {

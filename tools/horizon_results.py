@@ -1,16 +1,21 @@
 #!/usr/bin/env python3
-"""horizon_results.py [--quick] [--scenes PATTERN]: the numbers of docs/horizon-sampling.md, measured here.
+"""horizon_results.py [--quick | --full] [--scenes PATTERN] [--out FILE]: the numbers of
+docs/horizon-sampling.md, measured here.
 
-Writes docs/horizon-results.md. Needs build/lobe, build/furnace_variance (make horizon-results makes
-both) and NumPy. About twenty minutes on two idle cores; --quick: three.
+Writes docs/horizon-results.md and beside it horizon-samples.svg, horizon-time.svg. Needs build/lobe,
+build/furnace_variance (make horizon-results makes both) and NumPy; without ../shared/scenes only the built-in
+scenes are measured. About twelve minutes on two idle cores; --quick: four, --full: forty.
 
-Error of a picture: the variance between pictures of different seeds, pixel by pixel, relative to the
-square of their mean over all methods, without the top 0.1 % of the pixels. All methods have the same
-expectation (render.agreement), so no reference is needed, and none can be favoured by one.
+Error of a picture: the variance between pictures of different seeds, pixel by pixel. All methods have the
+same expectation (render.agreement), so no reference is needed, and none can be favoured by one. Relative
+(relMSE): divided pixel by pixel by the square of the mean over all methods; absolute (RMSE): the root of the
+mean over the picture. Both without the pixels of the top 0.1 % of all methods together, the same for all.
+An error bar is one standard error, from the spread over the seeds.
 """
 import argparse
 import fnmatch
 import json
+import os
 import subprocess
 import tempfile
 from pathlib import Path
@@ -21,14 +26,16 @@ ROOT = Path(__file__).resolve().parent.parent
 LOBE = ROOT / "build/lobe"
 SHARED = ROOT.parent / "shared/scenes"
 METHODS = [("ellipsoid", []), ("caps", []), ("bounded", []), ("optimal", []),
-           ("horizon-uniform", []), ("horizon", ["--floor", "0.5"]),
+           ("horizon-mirror", []), ("horizon-uniform", []), ("horizon", ["--floor", "0.5"]),
            ("horizon", ["--floor", "0.25"]), ("horizon", ["--floor", "0.1"]),
-           ("horizon", ["--floor", "0"])]
+           ("horizon", ["--floor", "0"]), (None, [])]
 BASE = ("bounded", [])
 
 
 def title(method):
     name, options = method
+    if name is None:
+        return "default"
     return f"{name} {options[1]}" if options else name
 
 
@@ -83,32 +90,40 @@ def mapped_quad(path, normal_map):
     Path(path).with_name(Path(normal_map).name).write_bytes(Path(normal_map).read_bytes())
 
 
+# Every normal map under another panorama.
+FLOORS = [("leather", "forest"), ("rock", "hall"), ("rough-weave", "venice"), ("steps", "night"),
+          ("tiles", "sunset"), ("waves", "sky")]
+
+
+def shared_scenes(folder, skies):
+    """Those that need ../shared/scenes."""
+    def panorama(name):
+        return SHARED / f"environments/{name}.exr"
+
+    bunny = [SHARED / "models/stanford-bunny.obj", "--material", "0.95,0.64,0.54,1,0.7"]
+    barrel = [SHARED / "models/barrel.glb"]
+    table = [(f"bunny, {name}", bunny + ["--env", light]) for name, light in skies]
+    table += [("bunny, workshop lamps", bunny + ["--env", panorama("workshop")]),
+              ("brushed, studio lamps", ["brushed", "--env", panorama("studio")])]
+    table += [(f"barrel, {name}", barrel + ["--env", panorama(name)]) for name in ("venice", "studio")]
+    for normal_map, name in FLOORS:
+        quad = folder / f"{normal_map}.gltf"
+        mapped_quad(quad, SHARED / f"normal-maps/{normal_map}.png")
+        table.append((f"{normal_map} floor, {name}", [quad, "--env", panorama(name)]))
+    return table
+
+
 def scenes(folder):
     """Name and arguments of each scene."""
     smooth, high, low = (folder / f"{name}.pfm" for name in ("smooth", "high", "low"))
     sky(smooth)
     sky(high, 60)
     sky(low, 3)
-    lights = [("smooth sky", smooth), ("high sun", high), ("low sun", low)]
+    skies = [("smooth sky", smooth), ("high sun", high), ("low sun", low)]
     table = [("gallery, its soft box", ["gallery"]), ("cornell, lamp in a box", ["cornell"])]
-    for name, light in lights:
-        table.append((f"gallery, {name}", ["gallery", "--env", light]))
-        table.append((f"brushed, {name}", ["brushed", "--env", light]))
-        table.append((f"normal-mapped, {name}", ["normal-mapped", "--env", light]))
-    if SHARED.is_dir():
-        bunny = [SHARED / "models/stanford-bunny.obj", "--material", "0.95,0.64,0.54,1,0.7"]
-        for name, light in lights:
-            table.append((f"bunny, {name}", bunny + ["--env", light]))
-        barrel = SHARED / "models/barrel.glb"
-        for panorama in ("venice", "studio"):
-            light = SHARED / f"environments/{panorama}.exr"
-            table.append((f"barrel, {panorama}", [barrel, "--env", light]))
-        for normal_map in ("rough-weave", "waves"):
-            quad = folder / f"{normal_map}.gltf"
-            mapped_quad(quad, SHARED / f"normal-maps/{normal_map}.png")
-            light = SHARED / "environments/venice.exr"
-            table.append((f"{normal_map} floor, venice", [quad, "--env", light]))
-    return table
+    for scene in ("gallery", "brushed", "normal-mapped"):
+        table += [(f"{scene}, {name}", [scene, "--env", light]) for name, light in skies]
+    return table + (shared_scenes(folder, skies) if SHARED.is_dir() else [])
 
 
 # ---- Rendering ---------------------------------------------------------------------------------
@@ -124,16 +139,33 @@ def read_pfm(path):
 def render(arguments, method, seed, size, spp, folder):
     """The picture, CPU seconds and rejected share."""
     name, options = method
+    chosen = [] if name is None else ["--method", name]
     out = folder / "picture.pfm"
     run = subprocess.run([LOBE, "render", *arguments, "-o", out, "--size", size, "--spp", str(spp),
-                          "--seed", str(seed), "--method", name, *options, "--json"],
+                          "--seed", str(seed), *chosen, *options, "--json"],
                          check=True, capture_output=True, text=True)
     said = json.loads(run.stdout)
     return read_pfm(out), said["cpu_seconds"], said["rejected_share"]
 
 
+def variances(pictures, scale):
+    """Of each seed its share of the unbiased variance, pixel by pixel."""
+    mean = numpy.mean(pictures, axis=0)
+    return [(p - mean) ** 2 / scale * (len(pictures) / (len(pictures) - 1)) for p in pictures]
+
+
+def summary(pictures, scale):
+    """For each method the mean over pixels, and its standard error from the spread over seeds."""
+    errors = {n: [v.mean(axis=2) for v in variances(p, scale)] for n, p in pictures.items()}
+    total = sum(e for list_ in errors.values() for e in list_)
+    kept = total <= numpy.quantile(total, 0.999)
+    values = {n: [e[kept].mean() for e in list_] for n, list_ in errors.items()}
+    return {n: (float(numpy.mean(v)), float(numpy.std(v, ddof=1) / numpy.sqrt(len(v))))
+            for n, v in values.items()}
+
+
 def measure(arguments, size, spp, seeds, folder):
-    """For each method: error of every pair of seeds, CPU seconds, rejected share."""
+    """For each method: errors, CPU seconds, rejected share."""
     pictures = {title(m): [] for m in METHODS}
     seconds = {title(m): [] for m in METHODS}
     rejected = {}
@@ -144,23 +176,17 @@ def measure(arguments, size, spp, seeds, folder):
             seconds[title(method)].append(time)
             rejected[title(method)] = share
     mean = numpy.mean([p for list_ in pictures.values() for p in list_], axis=0)
-    scale = mean ** 2 + 1e-4 * numpy.mean(mean) ** 2
-    kept = None
-    rows = {}
-    for name, list_ in pictures.items():
-        variance = numpy.var(list_, axis=0, ddof=1) / scale
-        error = variance.mean(axis=2).ravel()
-        # the same pixels for all: those where the first method's error is not extreme
-        if kept is None:
-            kept = error <= numpy.quantile(error, 0.999)
-        halves = [numpy.var(list_[k::2], axis=0, ddof=1) / scale for k in range(2)]
-        spread = [h.mean(axis=2).ravel()[kept].mean() for h in halves]
-        rows[name] = {"error": error[kept].mean(), "halves": spread,
-                      "seconds": float(numpy.median(seconds[name])), "rejected": rejected[name]}
-    return rows
+    relative = summary(pictures, mean ** 2 + 1e-4 * numpy.mean(mean) ** 2)
+    absolute = summary(pictures, 1.0)
+    return {n: {"relmse": relative[n], "mse": absolute[n],
+                "seconds": float(numpy.median(seconds[n])), "rejected": rejected[n]}
+            for n in pictures}
 
 
 # ---- Tables ------------------------------------------------------------------------------------
+
+NAMES = [title(m) for m in METHODS]
+
 
 def table(head, rows):
     lines = ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
@@ -168,35 +194,100 @@ def table(head, rows):
 
 
 def gain(rows, name, with_time):
+    """By how much less error than the base, and its standard error."""
     base, row = rows[title(BASE)], rows[name]
-    value = base["error"] / row["error"]
-    return value * base["seconds"] / row["seconds"] if with_time else value
+    value = base["relmse"][0] / row["relmse"][0]
+    if with_time:
+        value *= base["seconds"] / row["seconds"]
+    if name == title(BASE):
+        return 1.0, 0.0
+    spread = [r["relmse"][1] / r["relmse"][0] for r in (base, row)]
+    return value, value * float(numpy.hypot(*spread))
 
 
-def scene_tables(results):
-    names = [title(m) for m in METHODS]
-    head = ["scene"] + names
-    samples, times, rejected = [], [], []
+def geometric_mean(results, name, with_time):
+    return float(numpy.exp(numpy.mean([numpy.log(gain(rows, name, with_time)[0])
+                                       for _, rows in results])))
+
+
+def gain_table(results, with_time):
+    lines = []
     for scene, rows in results:
-        noise = max(abs(h / rows[n]["error"] - 1) for n in names for h in rows[n]["halves"])
-        samples.append([scene] + [f"{gain(rows, n, False):.2f}" for n in names]
-                       + [f"{100 * noise:.0f} %"])
-        times.append([scene] + [f"{gain(rows, n, True):.2f}" for n in names])
-        rejected.append([scene] + [f"{100 * rows[n]['rejected']:.2f}" for n in names])
-    for list_, with_time in ((samples, False), (times, True)):
-        means = [numpy.exp(numpy.mean([numpy.log(gain(r, n, with_time)) for _, r in results]))
-                 for n in names]
-        list_.append(["geometric mean"] + [f"{m:.2f}" for m in means] + ([""] * (not with_time)))
-    return (table(head + ["halves differ"], samples), table(head, times), table(head, rejected))
+        gains = [gain(rows, n, with_time) for n in NAMES]
+        error = max(e / g for g, e in gains)
+        lines.append([scene] + [f"{g:.2f}" for g, _ in gains] + [f"{100 * error:.0f} %"])
+    lines.append(["geometric mean"] + [f"{geometric_mean(results, n, with_time):.2f}" for n in NAMES]
+                 + [""])
+    lines.append(["least"] + [f"{min(gain(r, n, with_time)[0] for _, r in results):.2f}"
+                              for n in NAMES] + [""])
+    return table(["scene"] + NAMES + ["largest standard error"], lines)
+
+
+def value_table(results, value):
+    return table(["scene"] + NAMES, [[scene] + [value(rows[n]) for n in NAMES]
+                                     for scene, rows in results])
+
+
+# ---- Plots -------------------------------------------------------------------------------------
+
+SHOWN = [("optimal", "#8a8a8a"), ("horizon-uniform", "#2a78d6"), ("horizon 0.25", "#1baf7a"),
+         ("default", "#eb6834")]
+STYLE = """text{font:13px sans-serif;fill:#222}.faint{stroke:#ddd}.one{stroke:#777}
+@media(prefers-color-scheme:dark){svg{background:#161616}text{fill:#e4e4e4}.faint{stroke:#333}.one{stroke:#999}}"""
+
+
+def plot(results, with_time, title_text):
+    """One row a scene: gains over bounded caps on a logarithmic axis, with standard errors."""
+    left, width, row, low, high = 230, 560, 22, 0.4, 2.5
+
+    def x_of(value):
+        share = numpy.log(min(max(value, low), high) / low) / numpy.log(high / low)
+        return left + width * share
+
+    rows = results + [("geometric mean", None)]
+    bottom = 70 + row * len(rows)
+    out = [f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {left + width + 30} {bottom + 34}" '
+           f'role="img"><title>{title_text}</title><style>{STYLE}</style>',
+           f'<text x="{left}" y="20">{title_text}</text>']
+    for k, (name, color) in enumerate(SHOWN):
+        out.append(f'<circle cx="{left + 6 + 140 * k}" cy="40" r="5" fill="{color}"/>'
+                   f'<text x="{left + 16 + 140 * k}" y="45">{name}</text>')
+    for tick in (0.5, 0.7, 1, 1.4, 2):
+        out.append(f'<line class="{"one" if tick == 1 else "faint"}" x1="{x_of(tick):.1f}" '
+                   f'x2="{x_of(tick):.1f}" y1="58" y2="{bottom}"/><text text-anchor="middle" '
+                   f'x="{x_of(tick):.1f}" y="{bottom + 18}">{tick:g}</text>')
+    for k, (scene, measured) in enumerate(rows):
+        y = 72 + row * k
+        out.append(f'<text text-anchor="end" x="{left - 10}" y="{y + 5}">{scene}</text>')
+        for j, (name, color) in enumerate(SHOWN):
+            value, error = (gain(measured, name, with_time) if measured
+                            else (geometric_mean(results, name, with_time), 0.0))
+            place = y + 3 * (j - 1.5)
+            out.append(f'<line stroke="{color}" x1="{x_of(value - error):.1f}" '
+                       f'x2="{x_of(value + error):.1f}" y1="{place:.1f}" y2="{place:.1f}"/>'
+                       f'<circle cx="{x_of(value):.1f}" cy="{place:.1f}" r="4" fill="{color}"/>')
+    return "\n".join(out + ["</svg>"]) + "\n"
+
+
+def machine():
+    """The processor's name and how many of it."""
+    for line in Path("/proc/cpuinfo").read_text().splitlines():
+        if line.startswith("model name"):
+            return f"{os.cpu_count()} cores of {line.split(':')[1].strip()}"
+    return f"{os.cpu_count()} cores"
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--quick", action="store_true")
+    sizes = parser.add_mutually_exclusive_group()
+    sizes.add_argument("--quick", action="store_true", help="four minutes")
+    sizes.add_argument("--full", action="store_true", help="forty minutes")
     parser.add_argument("--scenes", default="*", help="shell pattern of scene names")
     parser.add_argument("--out", default=ROOT / "docs/horizon-results.md", type=Path)
     arguments = parser.parse_args()
-    size, spp, seeds = ("128x72", 8, 4) if arguments.quick else ("256x144", 16, 8)
+    size, spp, seeds = ("128x72", 8, 4) if arguments.quick else ("192x108", 16, 6)
+    if arguments.full:
+        size, spp, seeds = "256x144", 16, 12
     variance = subprocess.run([ROOT / "build/furnace_variance"], check=True, capture_output=True,
                               text=True).stdout
     bench = subprocess.run([LOBE, "bench", "--only", "smith [bho]* * f32"]
@@ -209,30 +300,49 @@ def main():
             if not fnmatch.fnmatch(scene, arguments.scenes):
                 continue
             results.append((scene, measure(call, size, spp, seeds, folder)))
-            print(scene, {n: round(gain(results[-1][1], n, False), 2) for n in results[-1][1]},
-                  flush=True)
-    samples, times, rejected = scene_tables(results)
+            print(scene, {n: round(gain(results[-1][1], n, False)[0], 2) for n in NAMES}, flush=True)
+    for stem, with_time, text in (
+            ("horizon-samples", False, "Error of bounded caps over that of the method, equal samples"),
+            ("horizon-time", True, "Error of bounded caps over that of the method, equal time")):
+        arguments.out.with_name(stem + ".svg").write_text(plot(results, with_time, text))
+    kind = " --quick" if arguments.quick else " --full" if arguments.full else ""
     arguments.out.write_text(f"""# Horizon sampling: what was measured
 
-Written by `make horizon-results` (tools/horizon_results.py). The article is [horizon-sampling.md](horizon-sampling.md).
+Written by `tools/horizon_results.py{kind}` on {machine()}. The article is [horizon-sampling.md](horizon-sampling.md).
 
 ## White furnace
 
 {variance}
 ## In the path tracer: error at equal samples
 
-Variance of `bounded` over that of the method, with emitter sampling; {size}, {spp} samples a pixel, {seeds} seeds. "Halves
-differ": the largest deviation of an error that half of the seeds gives.
+relMSE of `bounded` over that of the method, with emitter sampling; {size}, {spp} samples a pixel, {seeds} seeds.
+`horizon-uniform` stands for δ = 1, in the smaller ellipse under normal maps; `default` is what `lobe render` takes
+by surface where no method is asked for. Last column: the largest standard error of a number of the row.
 
-{samples}
+![Gains at equal samples](horizon-samples.svg)
+
+{gain_table(results, False)}
 ## At equal time
 
 The same, times CPU seconds of `bounded` over those of the method.
 
-{times}
+![Gains at equal time](horizon-time.svg)
+
+{gain_table(results, True)}
+## Errors
+
+relMSE, in thousandths:
+
+{value_table(results, lambda r: f"{1e3 * r['relmse'][0]:.3g}")}
+RMSE:
+
+{value_table(results, lambda r: f"{r['mse'][0] ** 0.5:.3g}")}
+## CPU seconds of a picture
+
+{value_table(results, lambda r: f"{r['seconds']:.3f}")}
 ## Rejected draws, per cent
 
-{rejected}
+{value_table(results, lambda r: f"{100 * r['rejected']:.2f}")}
 ## Time of a draw
 
 `lobe bench`:

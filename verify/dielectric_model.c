@@ -57,6 +57,14 @@ static double weight_bound(const lobe_dielectric_parameters *p) {
     return is_scaled ? fmax(1, 1 / (eta * eta)) : 1;
 }
 
+/* Light that goes through shrinks or spreads with the square of the index. What makes up for lost
+ * energy depends on wi alone. */
+static void set_reciprocity(lobe_verify_model *model, const lobe_dielectric_parameters *p) {
+    double squared = p->ior * p->ior;
+    model->is_reciprocal = !p->options.compensate || p->options.thin;
+    model->passing = p->options.transport == LOBE_TRANSPORT_IMPORTANCE ? squared : 1 / squared;
+}
+
 void lobe_dielectric_subject_make(lobe_dielectric_subject *subject,
                                   lobe_dielectric_parameters parameters, lobe_precision precision) {
     lobe_dielectric_subject_name(parameters, precision, subject->name, sizeof subject->name,
@@ -76,6 +84,7 @@ void lobe_dielectric_subject_make(lobe_dielectric_subject *subject,
                                !parameters.options.thin);
     model->chart = lobe_dielectric_chart_view(&subject->chart);
     model->weight_bound = weight_bound(&parameters);
+    set_reciprocity(model, &parameters);
     model->covers_sphere = 1;
     model->has_jumps = 1; /* where one of the two directions ceases to be possible */
 

@@ -110,21 +110,34 @@ static void check_precision(const pair *p, const double wo[3], worst *w) {
              unit_of(p->model, scale(p, value_at, wo)));
 }
 
-/* Transmission is reciprocal up to the square of the indices, which the engine does not know: only
- * reflection counts, from below where the model has a below. */
+static int has_two_sides(const lobe_verify_model *model) {
+    return model->covers_sphere || lobe_verify_is_sphere(model);
+}
+
+/* From below where the model has a below. */
 static int is_reciprocal(const lobe_verify_model *model) {
-    return model->is_reciprocal && (model->wi[2] > 0 || lobe_verify_is_sphere(model));
+    return model->is_reciprocal && (model->wi[2] > 0 || has_two_sides(model));
+}
+
+/* f(wi, wo)/f(wo, wi); 0: unknown. */
+static double reciprocal_ratio(const lobe_verify_model *model, const double wo[3]) {
+    double sides = model->wi[2] * wo[2];
+    if (!is_reciprocal(model) || sides == 0) return 0;
+    if (sides > 0) return 1;
+    return model->passing > 0 && model->wi[2] < 0 ? 1 / model->passing : model->passing;
 }
 
 /* f = value / |cos| from both sides. */
 static void check_reciprocity(const pair *p, const double wo[3], worst *w) {
     const double *wi = p->model->wi;
-    if (!is_reciprocal(p->model) || !(wi[2] * wo[2] > 0)) return;
+    double ratio = reciprocal_ratio(p->model, wo);
+    if (!(ratio > 0)) return;
     pair back;
     prepare_pair(&back, p->model, wo);
     double there = p->model->value(&p->state, wo) / fabs(wo[2]);
-    double here = p->model->value(&back.state, wi) / fabs(wi[2]);
-    double both = scale(p, value_at, wo) / fabs(wo[2]) + scale(&back, value_at, wi) / fabs(wi[2]);
+    double here = ratio * p->model->value(&back.state, wi) / fabs(wi[2]);
+    double both =
+        scale(p, value_at, wo) / fabs(wo[2]) + ratio * scale(&back, value_at, wi) / fabs(wi[2]);
     raise_to(&w->reciprocity, fabs(there - here), unit_of(p->model, both));
 }
 
@@ -146,10 +159,6 @@ void lobe_hemisphere_direction(const lobe_verify_model *model, const lobe_settin
     /* What a model in single precision is given is what its twin is given. One in double is given
      * unit length in double. */
     for (int k = 0; k < 3 && model->random_bits == 24; ++k) wo[k] = (float)wo[k];
-}
-
-static int has_two_sides(const lobe_verify_model *model) {
-    return model->covers_sphere || lobe_verify_is_sphere(model);
 }
 
 static void report_directions(const lobe_verify_model *model, const worst *w, int checks,

@@ -2,20 +2,19 @@
 #include <omp.h>
 #include <stdlib.h>
 
-#include "reflection_cases.h"
+#include "library_cases.h"
 #include "run.h"
 
 static void run_case(lobe_run *run, size_t position) {
-    lobe_reflection_case c = lobe_reflection_case_at(run->suite.chosen[position]);
-    lobe_reflection_subject subject;
-    lobe_reflection_subject_make(&subject, c.parameters, c.precision);
+    lobe_library_subject subject;
+    lobe_library_subject_make(&subject, run->suite.chosen[position]);
     lobe_settings settings = run->settings;
     settings.stream = lobe_title_stream(lobe_run_title(run, position));
     lobe_outcome *outcome = &run->outcomes[position];
     int wants_picture = settings.pictures != LOBE_VERIFY_PICTURES_NONE;
     if (wants_picture) outcome->picture = calloc(1, sizeof *outcome->picture);
     int is_good = !wants_picture || outcome->picture != NULL;
-    is_good = is_good && lobe_verify_model_run(&subject.model, &settings, &run->monitor,
+    is_good = is_good && lobe_verify_model_run(subject.model, &settings, &run->monitor,
                                                &outcome->report, outcome->picture);
 #pragma omp critical(lobe_verify_callback)
     {

@@ -48,6 +48,7 @@ typedef struct lobe_verify_model {
     double density_oracle;                /* the density, where it is constant */
     double albedo_oracle;                 /* integral of the value */
     int is_reciprocal;
+    double passing;       /* f(wi, wo)/f(wo, wi) for wi above and wo below; 0: unknown */
     int covers_sphere;    /* its one chart reaches below the surface too, where its draws go */
     int has_jumps;        /* or kinks: the integrals of the density converge slowly */
     int is_mirror;        /* a point mass, not a density */

@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "draws.h"
+#include "sphere_chart.h"
 
 /* Of the furnace curve: bins in each direction, draws at each angle. */
 enum { CURVE_GRID = 8, CURVE_DRAWS = 16384, CURVE_PILOT = 16384 };
@@ -46,7 +47,7 @@ static lobe_verify_model turned(const lobe_verify_model *model, double theta, do
     other.wi[0] = (float)(sin(theta) * cos(phi));
     other.wi[1] = (float)(sin(theta) * sin(phi));
     other.wi[2] = (float)cos(theta);
-    other.chart = lobe_hemisphere_chart();
+    other.chart = model->covers_sphere ? lobe_sphere_chart() : lobe_hemisphere_chart();
     if (lobe_verify_is_sphere(model)) other.below = lobe_lower_hemisphere_chart();
     other.pilot_draws = CURVE_PILOT;
     other.twin = NULL;

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "reflection_cases.h"
+#include "library_cases.h"
 
 enum { PATTERN_ROOM = 256 };
 
@@ -32,7 +32,16 @@ static int matches(const char *only, const lobe_case_title *title) {
     return fnmatch(pattern, text, 0) == 0;
 }
 
-/* Every stride-th case of each model, shifted by one from model to model. */
+/* How many models have a case at this configuration: those of a kind share their configurations. */
+static size_t count_alike(const lobe_suite *suite, const char *configuration) {
+    size_t alike = 0;
+    for (size_t i = 0; i < suite->count; ++i)
+        alike += strcmp(suite->titles[i].configuration, configuration) == 0;
+    return alike;
+}
+
+/* Every stride-th case of each model, shifted by one from model to model. Where fewer models share a
+ * configuration, one of them has it all the same. */
 static void choose_spread(lobe_suite *suite, size_t stride) {
     size_t model = 0, position = 0;
     for (size_t i = 0; i < suite->count; ++i) {
@@ -40,7 +49,9 @@ static void choose_spread(lobe_suite *suite, size_t stride) {
             model += 1;
             position = 0;
         }
-        if ((position + model) % stride == 0) suite->chosen[suite->chosen_count++] = i;
+        size_t alike = count_alike(suite, suite->titles[i].configuration);
+        if ((position + model) % (alike < stride ? alike : stride) == 0)
+            suite->chosen[suite->chosen_count++] = i;
         position += 1;
     }
 }
@@ -71,14 +82,9 @@ void lobe_suite_free(lobe_suite *suite) {
 }
 
 int lobe_library_suite(lobe_suite *suite) {
-    *suite = (lobe_suite){.count = lobe_reflection_case_count()};
+    *suite = (lobe_suite){.count = lobe_library_case_count()};
     suite->titles = malloc(suite->count * sizeof *suite->titles);
     if (suite->titles == NULL) return 0;
-    for (size_t i = 0; i < suite->count; ++i) {
-        lobe_reflection_case c = lobe_reflection_case_at(i);
-        lobe_case_title *title = &suite->titles[i];
-        lobe_reflection_subject_name(c.parameters, c.precision, title->model, sizeof title->model,
-                                     title->configuration, sizeof title->configuration);
-    }
+    for (size_t i = 0; i < suite->count; ++i) lobe_library_case_title(i, &suite->titles[i]);
     return 1;
 }

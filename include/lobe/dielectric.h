@@ -103,6 +103,7 @@ typedef struct lobe_dielectric_draw_f32 {
     lobe_vec3_f32 wo; /* wi reflected about m, or refracted */
     float cos_im;     /* wi . m */
     float fresnel; /* share that the facet reflects; 0.5 and 0.5 say nothing of what was chosen */
+    float pdf_m;   /* density of m over the sphere of normals, also of a rejected m; smooth: 1 */
     float pdf;     /* density of wo, of a point mass its chance; 0: rejected */
     float weight;  /* f_cos/pdf; 0: rejected */
     int32_t transmitted; /* 1: wo is on the other side of the surface than wi */
@@ -114,23 +115,36 @@ typedef struct lobe_dielectric_draw_f64 {
     lobe_vec3_f64 wo;
     double cos_im;
     double fresnel;
+    double pdf_m;
     double pdf;
     double weight;
     int32_t transmitted;
     int32_t is_point;
 } lobe_dielectric_draw_f64;
 
+/* All there is to know about a pair of directions. The facet is the one that scatters wi to wo; where
+ * there is none, and of point masses, everything of it is 0. */
 typedef struct lobe_dielectric_eval_f32 {
-    float f_cos;   /* f(wi,wo) |wo.z|, Fresnel's factor and S in it */
+    float d;       /* D of the facet, per steradian */
+    float g1_i;    /* masking of wi, from its own side */
+    float g1_o;    /* and of wo */
+    float g2;      /* G2(wi, wo), of one side or through the surface */
+    float pdf_m;   /* density of the facet's normal among those drawn */
     float pdf;     /* density of lobe_dielectric_sample at wo, per steradian */
+    float f_cos;   /* f(wi,wo) |wo.z|, Fresnel's factor and S in it */
     float fresnel; /* share reflected by the facet that scatters wi to wo; 0 where there is none */
     float cos_im;
     int32_t transmitted; /* 1: wo is on the other side of the surface than wi */
 } lobe_dielectric_eval_f32;
 
 typedef struct lobe_dielectric_eval_f64 {
-    double f_cos;
+    double d;
+    double g1_i;
+    double g1_o;
+    double g2;
+    double pdf_m;
     double pdf;
+    double f_cos;
     double fresnel;
     double cos_im;
     int32_t transmitted;
@@ -159,6 +173,18 @@ LOBE_API lobe_dielectric_eval_f32 lobe_dielectric_eval_wo_f32(const lobe_dielect
                                                               lobe_vec3_f32 wo);
 LOBE_API lobe_dielectric_eval_f64 lobe_dielectric_eval_wo_f64(const lobe_dielectric_f64 *dielectric,
                                                               lobe_vec3_f64 wo);
+
+/* Shares of even light: the integrals of f_cos over the side of wi and over the other one. */
+typedef struct lobe_dielectric_albedo {
+    double reflected;
+    double transmitted;
+} lobe_dielectric_albedo;
+
+/* By quadrature over so many visible normals, the choice by u3 integrated; point masses are in it. Error
+ * below 2e-5 with 262144 points (a thirtieth of a second), roughness from 0.01 to 1, indices from 0.4 to
+ * 2.5. */
+LOBE_API lobe_dielectric_albedo lobe_dielectric_integrate(const lobe_dielectric_f64 *dielectric,
+                                                          int32_t points);
 
 LOBE_END_C
 

@@ -16,15 +16,23 @@
  * Environment: direction d lies at u = 1/2 + atan2(d.z, d.x)/(2 pi), v = acos(d.y)/pi from the top
  * row, texels centred.
  * Materials are those of glTF 2.0: a metal is GGX with Schlick's Fresnel (f0 = base colour), a
- * dielectric is a GGX coat of index 1.5 over a diffuse base, `metallic` blends the two. The base
+ * dielectric is a GGX coat (of index 1.5 where the file has none) over a diffuse base, `metallic` blends the two. The base
  * receives what the coat lets through: a white dielectric reflects all light and never more, at any
  * roughness, angle and anisotropy (0.99 to 1.001; from 0.985 at an anisotropy of 0.6, from 0.95 at
- * 0.95). Every surface is two-sided.
+ * 0.95). Every opaque surface is two-sided.
+ * What transmits is a share of the surface (glTF's transmission factor): a rough dielectric
+ * (lobe/dielectric.h) with the index of the file. With a thickness it is the boundary of a solid, whose
+ * outside is where the triangles face: light is refracted, and absorbed inside (Beer's law); solids do
+ * not nest: leaving one means air. Without, it is a thin wall: what its facets do not reflect, of all
+ * orders between two interfaces, goes on as if it was reflected, to the other side. The base colour
+ * tints what is transmitted, each time. Such a surface throws the shadow of an opaque one on what is lit by
+ * a lamp that is drawn; its light and its caustics are found by the paths, without bias.
  * Of glTF 2.0 are read: meshes of triangles in any form, instances, two of the sets of texture
  * coordinates per material, vertex colours, alpha masks, alpha blending (as the probability that light
  * is stopped), cameras, and the extensions KHR_draco_mesh_compression, EXT_meshopt_compression,
  * KHR_mesh_quantization, KHR_texture_transform, KHR_lights_punctual, KHR_materials_anisotropy,
- * KHR_materials_emissive_strength, KHR_materials_unlit (emits its base colour). One candela, lux or
+ * KHR_materials_emissive_strength, KHR_materials_transmission, KHR_materials_ior,
+ * KHR_materials_volume (of thickness only whether it is 0), KHR_materials_unlit (emits its base colour). One candela, lux or
  * nit of a file is one unit of intensity, irradiance or radiance here. Not read, with a warning: skins,
  * morph targets, animations, points, lines, other extensions; a file that requires one of those is
  * refused.
@@ -162,15 +170,18 @@ typedef struct lobe_render_progress {
 typedef void (*lobe_progress_function)(void *user, const lobe_render_progress *progress);
 
 /* What metals scatter more than once (lobe/albedo.h): left out, a second lobe (Kulla & Conty 2017), a
- * factor (Turquin 2019). */
+ * factor (Turquin 2019). Glass has no second lobe: it is left out, or a factor, with either of them. */
 typedef enum lobe_multiscatter {
     LOBE_MULTISCATTER_NONE,
     LOBE_MULTISCATTER_KULLA_CONTY,
     LOBE_MULTISCATTER_TURQUIN
 } lobe_multiscatter;
 
+/* reflection.model.method may be LOBE_METHOD_COUNT, the default: by surface. Of Smith-GGX dielectrics and metals
+ * of an alpha below 0.1 then take bounded caps and other metals horizon sampling, uniform where the shading
+ * normal is tilted by 10 degrees or more; any other distribution takes its best method. */
 typedef struct lobe_render_options {
-    lobe_reflection_options reflection; /* default Smith-GGX, bounded; floor 0.1 */
+    lobe_reflection_options reflection; /* default Smith-GGX by LOBE_METHOD_COUNT; floor 0.25 */
     lobe_multiscatter multiscatter;     /* not NONE: Smith-GGX only; default NONE */
     int width, height;                  /* pixels, 1 to LOBE_RENDER_SIZE_MAX; default 960 x 540 */
     uint32_t samples;   /* camera paths a pixel, 1 to LOBE_RENDER_SAMPLES_MAX; default 64 */
@@ -191,6 +202,9 @@ typedef struct lobe_render_options {
 #define LOBE_RENDER_SAMPLES_MAX 16777216
 
 LOBE_API lobe_render_options lobe_render_default_options(void);
+
+/* "bounded"; "by surface" for LOBE_METHOD_COUNT; NULL out of range. */
+LOBE_API const char *lobe_render_method_name(lobe_method method);
 
 typedef struct lobe_render_statistics {
     uint64_t samples;         /* camera paths finished */

@@ -8,7 +8,9 @@
  *     lobe_verify_result result = lobe_verify_run(&options, &summary);
  *
  * A case is one model (sampling method and precision) at one configuration (roughness, incidence,
- * masking). Every method of LOBE_METHODS is in the list of cases, in f32 and f64. The tests:
+ * masking). Every method of LOBE_METHODS is in the list of cases, in f32 and f64, and the rough
+ * dielectrics of lobe/dielectric.h: over the whole sphere, seen from outside (theta below 90) and from
+ * inside. Draws that are point masses count as rejected. The tests:
  *
  *   chi2           p      draws in bins of about equal expected count against integrals of the density
  *   rejected       p      count of rejected draws against 1 - integral of the density
@@ -22,7 +24,7 @@
  *   density        error  pdf of a draw against the density at its direction
  *   weight         error  weight of a draw against f |cos| / density there
  *   bound          error  largest weight, where the method promises a bound
- *   reciprocity    error  f(wi, wo) against f(wo, wi)
+ *   reciprocity    error  f(wi, wo) against f(wo, wi), through the surface with the square of the index
  *   precision      error  density and value against the f64 twin (f32 only)
  *   length         error  | |wo|^2 - 1 | of a draw, in rounding units
  *   support        error  share of directions below the surface with a density or a value
@@ -54,8 +56,9 @@ LOBE_BEGIN_C
 
 /* quick: about 10^5 draws a case, seconds in all. full: 10^8 draws a case and finer bins. Without
  * `only`, full runs every k-th case of each model, the first one shifted from model to model, so
- * that the two precisions of a method share out its configurations: as many cases as
- * LOBE_VERIFY_FULL_CASES allow, which bounds the time whatever the length of the list. */
+ * that the two precisions of a method share out its configurations (those of the dielectrics, whose
+ * only models they are, at least once each): about as many cases as LOBE_VERIFY_FULL_CASES allow, which
+ * bounds the time whatever the length of the list. */
 #define LOBE_VERIFY_FULL_CASES 400
 typedef enum lobe_verify_level { LOBE_VERIFY_QUICK, LOBE_VERIFY_FULL } lobe_verify_level;
 

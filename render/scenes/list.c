@@ -13,6 +13,7 @@ static const struct {
     {"brushed", "strongly anisotropic disks and cylinders", lobe_scene_brushed},
     {"normal-mapped", "a metal wall with a strong normal map", lobe_scene_normal_mapped},
     {"cornell", "a closed box with a lamp", lobe_scene_cornell},
+    {"glass", "spheres of glass, smooth to rough, thin, tinted", lobe_scene_glass},
 };
 
 enum { SCENES = sizeof scenes / sizeof *scenes };

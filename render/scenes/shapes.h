@@ -26,6 +26,7 @@ void lobe_scene_furnace(lobe_scene *s);
 void lobe_scene_brushed(lobe_scene *s);
 void lobe_scene_normal_mapped(lobe_scene *s);
 void lobe_scene_cornell(lobe_scene *s);
+void lobe_scene_glass(lobe_scene *s);
 
 /* Light of one colour from everywhere, or a clear sky. */
 void lobe_shape_light(lobe_scene *s, vec3 radiance);

@@ -49,7 +49,8 @@ class ErrorTest(ProgramTest):
         for command in ("sample", "eval"):
             self.rejected(command, *MODEL, "--method", "caps", "--floor", "0.1", where="--floor")
             self.rejected(command, *MODEL, "--ndf", "beckmann", "--floor", "0.1", where="--floor")
-        self.rejected("render", "furnace", "--json", "--floor", "0.1", where="--floor")
+        self.rejected("render", "furnace", "--json", "--method", "bounded", "--floor", "0.1",
+                      where="--floor")
 
     def test_sample_values(self):
         for option, values in BAD_SAMPLE_VALUES.items():

@@ -33,6 +33,22 @@ class VerifyTest(ProgramTest):
         self.assertEqual({row["passed"] for row in rows}, {True})
         self.assertIn("chi2", {row["test"] for row in rows})
 
+    def test_dielectric(self):
+        """From inside, near the critical angle: over the whole sphere, in both precisions."""
+        case = ["--only", "dielectric*theta=138"]
+        rows = [json.loads(line) for line in self.done("verify", *case, "--json").splitlines()]
+        self.assertEqual((rows[-1]["passed"], rows.pop()["failed"]), (len(rows), 0))
+        self.assertEqual({row["model"] for row in rows}, {"dielectric f32", "dielectric f64"})
+        self.assertNotIn("support", {row["test"] for row in rows})
+        state, report = "verify-dielectric.state", "verify-dielectric.html"
+        for path in (state, report):
+            self.addCleanup(lambda path=path: os.path.exists(path) and os.unlink(path))
+        first = self.done("verify", *case, "--resume", state)
+        self.assertEqual(self.done("verify", *case, "--resume", state), first)
+        self.done("verify", "--only", "dielectric f64*theta=138", "--report", report)
+        with open(report, encoding="utf-8") as page:
+            self.assertIn("dielectric f64", page.read())
+
     def test_failure_is_status_3(self):
         wrong = run("verify", "--plugin", WRONG, "--only", "alpha_x=0.3*theta=75", "--failures")
         self.assertEqual((wrong.returncode, wrong.stderr), (3, b""))
@@ -79,6 +95,10 @@ class VerifyTest(ProgramTest):
         for method in ("ndf", "slope-published", "slope", "ellipsoid", "caps", "bounded", "optimal"):
             for precision in ("f32", "f64"):
                 self.assertTrue(any(c.startswith(f"{method} {precision} ") for c in cases), method)
+        for precision in ("f32", "f64"):
+            glass = [c for c in cases if c.startswith(f"dielectric {precision} ")]
+            for part in (" theta=0 ", " theta=180 ", "ior=0.75", "radiance", "importance", "thin"):
+                self.assertTrue(any(part in c for c in glass), part)
         some = self.done("verify", "--list", "--only", "bounded").decode().splitlines()
         self.assertEqual(some, [case for case in cases if "bounded" in case])
 

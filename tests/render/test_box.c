@@ -67,9 +67,12 @@ static estimate radiance(material m, vec3 direction, int depth, int samples) {
     for (uint32_t i = 0; i < box->material_count; ++i) box->materials[i] = m;
     lobe_reflection_options reflection = lobe_reflection_default_options();
     const coat_table *coat = lobe_coat_table(reflection.model.ndf, reflection.model.masking,
-                                             reflection.g2, m.anisotropy != 0.0f);
+                                             reflection.g2, COAT_IOR, m.anisotropy != 0.0f);
+    const coat_table *coats[64];
+    assert_true(box->material_count <= 64);
+    for (uint32_t i = 0; i < box->material_count; ++i) coats[i] = coat;
     integrator k = {
-        box, {reflection, coat, compensation}, LOBE_HEURISTIC_BALANCE, depth, depth + 1};
+        box, {reflection, coat, compensation}, coats, LOBE_HEURISTIC_BALANCE, depth, depth + 1};
     double sum = 0, squares = 0;
     for (int run = 0; run < RUNS; ++run) {
         double total = 0;

@@ -123,7 +123,7 @@ static void assert_energy(const coat_table *table, float anisotropy, int azimuth
 }
 
 static const coat_table *table_of(lobe_g2 g2, int has_anisotropy) {
-    return lobe_coat_table(LOBE_NDF_GGX, LOBE_MASKING_SMITH, g2, has_anisotropy);
+    return lobe_coat_table(LOBE_NDF_GGX, LOBE_MASKING_SMITH, g2, COAT_IOR, has_anisotropy);
 }
 
 static void isotropic_white_is_white(void **state) {

@@ -102,7 +102,10 @@ static unsigned char *make_seed(uint32_t which, size_t *size) {
         "\"KHR_texture_transform\":{\"offset\":[0.5,0.5],\"rotation\":0.1,\"scale\":[2,2]}}},"
         "\"baseColorFactor\":[1,0.5,1,0.5],\"metallicFactor\":0.5,\"roughnessFactor\":0.5},"
         "\"extensions\":{\"KHR_materials_anisotropy\":{\"anisotropyStrength\":0.5,"
-        "\"anisotropyTexture\":{\"index\":1}}}}";
+        "\"anisotropyTexture\":{\"index\":1}},\"KHR_materials_transmission\":{"
+        "\"transmissionFactor\":0.5,\"transmissionTexture\":{\"index\":2}},"
+        "\"KHR_materials_ior\":{\"ior\":1.3},\"KHR_materials_volume\":{\"thicknessFactor\":1,"
+        "\"attenuationDistance\":0.5,\"attenuationColor\":[0.5,1,0.1]}}}";
     static const char nodes[] =
         "{\"mesh\":0,\"children\":[2,3],\"scale\":[1,-1,1]},{\"mesh\":0,\"rotation\":[0,1,0,0],"
         "\"extensions\":{\"KHR_lights_punctual\":{\"light\":0}}},{\"mesh\":0}";

@@ -271,6 +271,27 @@ static sight look_through(const char *alpha) {
                      64, 1);
 }
 
+/* The red of the texture lets light through: all of it at the red and the white texel, none at the others. */
+static void transmission_has_its_texture(void **state) {
+    (void)state;
+    const char material[] =
+        "{\"pbrMetallicRoughness\":{\"roughnessFactor\":0,\"metallicFactor\":0},\"extensions\":{"
+        "\"KHR_materials_transmission\":{\"transmissionFactor\":1,\"transmissionTexture\":{"
+        "\"index\":0}},\"KHR_materials_ior\":{\"ior\":1}}},"
+        "{\"extensions\":{\"KHR_materials_unlit\":{}},"
+        "\"pbrMetallicRoughness\":{\"baseColorFactor\":[1,0,0,1]}}";
+    const sight v =
+        look_deep((square_file){.material = material,
+                                .children = "0,1,2",
+                                .nodes = "{\"mesh\":0},{\"mesh\":1,\"translation\":[0,0,-1],"
+                                         "\"scale\":[2,2,1]}",
+                                .meshes = second_mesh},
+                  16, 1);
+    assert_near(v.color[3][3], 1, 0, 0, 0.001f);
+    assert_near(v.color[12][12], 1, 0, 0, 0.001f);
+    assert_true(v.color[3][12][1] > 0.05f && v.color[12][3][1] > 0.05f);
+}
+
 static void masks_cut_out(void **state) {
     (void)state;
     const sight v = look_through("\"alphaMode\":\"MASK\",\"pbrMetallicRoughness\":{"
@@ -554,6 +575,7 @@ int main(void) {
         cmocka_unit_test(colors_of_vertices_multiply),
         cmocka_unit_test(emission_has_its_strength),
         cmocka_unit_test(unlit_surfaces_show_their_color),
+        cmocka_unit_test(transmission_has_its_texture),
         cmocka_unit_test(masks_cut_out),
         cmocka_unit_test(blending_lets_a_share_through),
         cmocka_unit_test(lamps_shine_as_they_say),

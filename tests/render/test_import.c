@@ -153,7 +153,7 @@ static void assert_refused_with(const char *word) {
 
 static void unknown_extensions_are_named(void **state) {
     (void)state;
-    static const char *const names[] = {"KHR_materials_transmission", "EXT_nothing"};
+    static const char *const names[] = {"KHR_materials_sheen", "EXT_nothing"};
     for (int i = 0; i < 2; ++i) {
         char more[128];
         snprintf(more, sizeof more, ",\"extensionsRequired\":[\"%s\"]", names[i]);

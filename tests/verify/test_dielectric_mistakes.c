@@ -15,14 +15,22 @@ static const double PI = 3.14159265358979323846;
 
 typedef enum mistake {
     NONE,
-    WITHOUT_ETA,      /* the index left out of the Jacobian of refraction */
-    HALF_VECTOR_SIGN, /* the refracted half vector on the wrong side for an index below 1 */
-    BOUNDED_NORMALS,  /* normals bounded for reflection, taken for refraction too */
-    RADIANCE_ONCE,    /* 1/eta^2 in the weight, not in the value */
-    NO_TRANSMISSION,  /* an early way out for wo.z <= 0 */
-    TOTAL_REFLECTION, /* sqrt of a negative cosine */
-    CHOICE_FORGOTTEN, /* densities without the probability of the choice */
-    FRESNEL_OF_NORMAL /* Fresnel of wi.z instead of wi.m, in the value */
+    WITHOUT_ETA,       /* the index left out of the Jacobian of refraction */
+    HALF_VECTOR_SIGN,  /* the refracted half vector on the wrong side for an index below 1 */
+    BOUNDED_NORMALS,   /* normals bounded for reflection, taken for refraction too */
+    RADIANCE_ONCE,     /* 1/eta^2 in the weight, not in the value */
+    NO_TRANSMISSION,   /* an early way out for wo.z <= 0 */
+    TOTAL_REFLECTION,  /* sqrt of a negative cosine */
+    CHOICE_FORGOTTEN,  /* densities without the probability of the choice */
+    FRESNEL_OF_NORMAL, /* Fresnel of wi.z instead of wi.m, in the value */
+    WITHOUT_G1,        /* the density of all normals for that of the visible ones */
+    INDEX_OF_OUTSIDE,  /* the index not turned around inside, in density and value */
+    MASKED_BELOW,      /* masking is 0 for wo.z <= 0, in the value */
+    MASKING_MIXED,     /* separable masking in the weight, correlated in the value */
+    COSINE_OF_WI,      /* |wi.m| for |wo.m| in the Jacobian of refraction */
+    RADIANCE_INVERTED, /* eta^2 for 1/eta^2, everywhere */
+    JACOBIAN_CLAMPED,  /* the denominator kept from 0, against fireflies */
+    DRAWN_AGAIN        /* a draw that does not leave is made again, the density does not know */
 } mistake;
 
 static mistake made;
@@ -91,7 +99,8 @@ static double jacobian(const prepared *p, const event *e) {
     if (e->is_reflection) return 1 / (4 * e->im);
     double sum = e->im + p->eta * e->om;
     double scale = made == WITHOUT_ETA ? 1 : p->eta * p->eta;
-    return scale * fabs(e->om) / (sum * sum);
+    double square = made == JACOBIAN_CLAMPED ? fmax(sum * sum, 1e-2) : sum * sum;
+    return scale * (made == COSINE_OF_WI ? e->im : fabs(e->om)) / square;
 }
 
 /* The share of wi that the bounded cap keeps of its lower part (Eto & Tokuyoshi 2023). */
@@ -116,6 +125,7 @@ static double density_above(const prepared *p, const double wo[3]) {
     double x = p->alpha * p->wi[0], y = p->alpha * p->wi[1];
     double t = sqrt(x * x + y * y + p->wi[2] * p->wi[2]);
     double visible = e.im * distribution(p, e.m) * 2 / (cap_k(p) * p->wi[2] + t);
+    if (made == WITHOUT_G1) visible = e.im * distribution(p, e.m) / p->wi[2];
     double f = fresnel(e.im, p->eta);
     double choice = made == CHOICE_FORGOTTEN ? 1 : e.is_reflection ? f : 1 - f;
     return choice * visible * jacobian(p, &e);
@@ -126,9 +136,12 @@ static double value_above(const prepared *p, const double wo[3], int is_weight) 
     if (!e.is_valid) return 0;
     double f = fresnel(made == FRESNEL_OF_NORMAL ? p->wi[2] : e.im, p->eta);
     double g2 = 1 / (1 + lambda(p, p->wi) + lambda(p, wo));
+    if (made == MASKED_BELOW && !e.is_reflection) return 0;
+    if (made == MASKING_MIXED && is_weight) g2 = 1 / (1 + lambda(p, p->wi)) / (1 + lambda(p, wo));
     double part = (e.is_reflection ? f : 1 - f) * e.im * distribution(p, e.m) * g2 / p->wi[2];
     int has_scale = made != RADIANCE_ONCE || is_weight;
     double radiance = e.is_reflection || !has_scale ? 1 : 1 / (p->eta * p->eta);
+    if (made == RADIANCE_INVERTED) radiance = 1 / radiance;
     return part * jacobian(p, &e) * radiance;
 }
 
@@ -168,8 +181,7 @@ static void refract(const prepared *p, const double m[3], double im, double wo[3
     for (int k = 0; k < 3; ++k) wo[k] = (im / p->eta - cosine) * m[k] - p->wi[k] / p->eta;
 }
 
-static lobe_verify_draw sample(const lobe_verify_state *state, const double u[3]) {
-    const prepared *p = view(state);
+static lobe_verify_draw sample_once(const prepared *p, const double u[3]) {
     lobe_verify_draw draw = {{0, 0, 0}, 0, 0};
     if (!(p->wi[2] > 0)) return draw;
     double m[3], wo[3];
@@ -189,10 +201,21 @@ static lobe_verify_draw sample(const lobe_verify_state *state, const double u[3]
     return draw;
 }
 
+static lobe_verify_draw sample(const lobe_verify_state *state, const double u[3]) {
+    double v[3] = {u[0], u[1], u[2]};
+    lobe_verify_draw draw = sample_once(view(state), v);
+    for (int again = 0; made == DRAWN_AGAIN && draw.pdf == 0 && again < 32; ++again) {
+        for (int k = 0; k < 3; ++k) v[k] = fmod(v[k] * 8191 + 0.377, 1);
+        draw = sample_once(view(state), v);
+    }
+    return draw;
+}
+
 static void prepare(const void *self, const double wi[3], lobe_verify_state *state) {
     const dielectric *d = self;
     double side = wi[2] < 0 ? -1 : 1;
-    prepared p = {d->alpha, side > 0 ? d->eta : 1 / d->eta, {wi[0], wi[1], side * wi[2]}, side};
+    double eta = side > 0 || made == INDEX_OF_OUTSIDE ? d->eta : 1 / d->eta;
+    prepared p = {d->alpha, eta, {wi[0], wi[1], side * wi[2]}, side};
     memcpy(state->bytes, &p, sizeof p);
 }
 
@@ -214,6 +237,17 @@ static const trial TRIALS[] = {
     {"total reflection", TOTAL_REFLECTION, "chi2", 0.3, 1.5, 130},
     {"the choice forgotten", CHOICE_FORGOTTEN, "chi2", 0.3, 1.5, 40},
     {"Fresnel of the shading normal", FRESNEL_OF_NORMAL, "reciprocity", 0.5, 1.5, 60},
+    {"density of all normals", WITHOUT_G1, "chi2", 0.5, 1.5, 70},
+    {"index not turned around inside", INDEX_OF_OUTSIDE, "reciprocity", 0.3, 1.5, 150},
+    {"masked below the surface", MASKED_BELOW, "albedo", 0.3, 1.5, 40},
+    {"maskings mixed", MASKING_MIXED, "weight", 0.5, 1.5, 60},
+    {"maskings mixed, furnace", MASKING_MIXED, "furnace", 0.5, 1.5, 60},
+    {"the wrong cosine in the Jacobian", COSINE_OF_WI, "chi2", 0.4, 1.5, 50},
+    {"the wrong cosine in the Jacobian, from inside", COSINE_OF_WI, "chi2", 0.2, 1.5, 150},
+    {"radiance scaled inversely", RADIANCE_INVERTED, "reciprocity", 0.3, 1.5, 40},
+    {"radiance scaled inversely, from inside", RADIANCE_INVERTED, "reciprocity", 0.3, 1.5, 150},
+    {"the Jacobian clamped", JACOBIAN_CLAMPED, "chi2", 0.3, 1.05, 40},
+    {"drawn again from inside", DRAWN_AGAIN, "rejected", 0.4, 1.5, 130},
 };
 enum { TRIAL_COUNT = sizeof TRIALS / sizeof *TRIALS };
 
@@ -241,6 +275,7 @@ static void run_trial(const trial *t, mistake m, lobe_report *report) {
     model.density = density;
     model.value = value;
     model.is_reciprocal = 1;
+    model.passing = 1 / (t->eta * t->eta);
     model.takes_legal_only = 1;
     model.below = lobe_lower_hemisphere_chart();
     if (strcmp(t->test, "albedo") == 0) model.albedo_oracle = integral_of_value(&model);

@@ -57,6 +57,25 @@ static void full_is_an_even_choice(void **state) {
     for (size_t models = 2; models <= 80; models += 2) check_spread(models);
 }
 
+/* Two models with configurations of their own behind many others: every one of them is run once. */
+static void few_models_are_not_thinned_out(void **state) {
+    (void)state;
+    enum { MODELS = 60 };
+    lobe_suite suite = suite_of(MODELS);
+    for (size_t i = (MODELS - 2) * CONFIGURATIONS; i < suite.count; ++i)
+        suite.titles[i].configuration[0] = 'd';
+    lobe_verify_options options = lobe_verify_default_options();
+    options.level = LOBE_VERIFY_FULL;
+    assert_true(lobe_suite_choose(&suite, &options));
+    int by_configuration[CONFIGURATIONS] = {0};
+    for (size_t i = 0; i < suite.chosen_count; ++i) {
+        if (suite.chosen[i] >= (MODELS - 2) * CONFIGURATIONS)
+            by_configuration[suite.chosen[i] % CONFIGURATIONS] += 1;
+    }
+    for (int c = 0; c < CONFIGURATIONS; ++c) assert_int_equal(by_configuration[c], 1);
+    lobe_suite_free(&suite);
+}
+
 static void a_pattern_chooses_from_the_whole_list(void **state) {
     (void)state;
     lobe_suite suite = suite_of(60);
@@ -83,8 +102,8 @@ static void quick_is_all(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(full_is_an_even_choice),
-                                       cmocka_unit_test(a_pattern_chooses_from_the_whole_list),
-                                       cmocka_unit_test(quick_is_all)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(full_is_an_even_choice), cmocka_unit_test(few_models_are_not_thinned_out),
+        cmocka_unit_test(a_pattern_chooses_from_the_whole_list), cmocka_unit_test(quick_is_all)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -3,6 +3,7 @@
 #define TOOLS_NUMERICS_PLANE_CASES_H
 
 #include "kernel/ggx_horizon_plane_ellipse.h"
+#include "kernel/ggx_horizon_plane_uniform.h"
 #include "kernel/ggx_horizon_plane_table.h"
 
 #include <math.h>

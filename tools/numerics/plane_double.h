@@ -11,7 +11,12 @@ typedef struct plane_output {
     double m[3], wo[3], pdf, weight;
 } plane_output;
 
-typedef enum plane_sampler { PLANE_TABLE, PLANE_ELLIPSE, PLANE_SAMPLERS } plane_sampler;
+typedef enum plane_sampler {
+    PLANE_TABLE,
+    PLANE_ELLIPSE,
+    PLANE_UNIFORM,
+    PLANE_SAMPLERS
+} plane_sampler;
 
 /* The draw. */
 plane_output plane_draw_double(plane_sampler sampler, const plane_input *input);

@@ -13,6 +13,7 @@
 
 #include "kernel/ggx_horizon_plane_ellipse.h"
 #include "kernel/ggx_horizon_plane_table.h"
+#include "kernel/ggx_horizon_plane_uniform.h"
 #include "lobe/random.h"
 
 #include <math.h>
@@ -53,6 +54,8 @@ static facet_draw draw_of(plane_sampler sampler, const plane_input *i) {
     options.floor_share = i->floor_share;
     ggx_base g = ggx_base_of(v3_from(i->wi), i->alpha_x, i->alpha_y, options);
     real u1 = i->u1, u2 = i->u2, u3 = i->u3;
+    if (sampler == PLANE_UNIFORM)
+        return ggx_horizon_plane_uniform_draw(ggx_horizon_plane_uniform_prepare(g), u1, u2, u3);
     return sampler == PLANE_TABLE
                ? ggx_horizon_plane_table_draw(ggx_horizon_plane_table_prepare(g), u1, u2, u3)
                : ggx_horizon_plane_ellipse_draw(ggx_horizon_plane_ellipse_prepare(g), u1, u2, u3);
@@ -87,7 +90,7 @@ int main(int argc, char **argv) {
     if (!errors) return 1;
     for (plane_sampler sampler = 0; sampler < PLANE_SAMPLERS; ++sampler) {
         worst direction = {0}, density = {0};
-        uint64_t count = 0, mirrored = 0;
+        uint64_t count = 0, chosen = 0;
         for (uint64_t k = 0; k < draws; ++k) {
             plane_input i = input_at(k);
             if (v3_dot(v3_from(i.wi), v3_from(i.plane)) < 0.01f) continue;
@@ -99,8 +102,9 @@ int main(int argc, char **argv) {
             double m[3] = {(double)a.m.x, (double)a.m.y, (double)a.m.z};
             double exact = plane_pdf_double(sampler, &i, m);
             if (!(exact > 0)) continue;
-            if (sampler == PLANE_ELLIPSE && off > 0.01) {
-                ++mirrored; /* u3 within rounding of the choice between y and -y */
+            if (sampler != PLANE_TABLE && off > 0.01) {
+                /* u3 within rounding of the choice between y and -y, or the ellipses of each other */
+                ++chosen;
                 continue;
             }
             keep(&direction, off, &i);
@@ -108,13 +112,13 @@ int main(int argc, char **argv) {
             errors[count] = off;
             errors[draws + count++] = fabs((double)a.pdf / exact - 1);
         }
-        const char *name = sampler == PLANE_TABLE ? "table" : "ellipse";
+        const char *name = (const char *[]){"table", "ellipse", "uniform"}[sampler];
         print(name, "direction", &direction);
         print(name, "density", &density);
         qsort(errors, count, sizeof *errors, descending);
         qsort(errors + draws, count, sizeof *errors, descending);
-        printf("%s: %llu draws, %llu mirrored; one in 1000 above %.2g, %.2g\n", name,
-               (unsigned long long)count, (unsigned long long)mirrored, errors[count / 1000],
+        printf("%s: %llu draws, %llu chosen; one in 1000 above %.2g, %.2g\n", name,
+               (unsigned long long)count, (unsigned long long)chosen, errors[count / 1000],
                errors[draws + count / 1000]);
     }
     free(errors);
