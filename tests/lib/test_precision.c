@@ -59,7 +59,7 @@ static int is_beyond_float(lobe_ndf ndf, const double *alpha, double angle) {
 /* All normals have a density over i.m, which loses its digits where it is small, and roots and error
  * functions as printed cancel by nature. */
 static worst_case bounds_of(lobe_model row) {
-    worst_case bounds = {3e-4, row.method == LOBE_METHOD_NDF ? 2e-3 : 3e-4};
+    worst_case bounds = {3e-4, row.method == LOBE_METHOD_NDF ? 2e-3 : 5e-4};
     if (row.method == LOBE_METHOD_SLOPE_PUBLISHED || row.method == LOBE_METHOD_NEWTON_PUBLISHED)
         bounds.direction = INFINITY;
     return bounds;
