@@ -138,6 +138,7 @@ static vec3 walk_value(const surface *s, vec3 wo) {
 void lobe_surface_add_glass(surface *s, glass *room, const surface_options *options,
                             glass_material material, vec3 to_viewer, int is_back) {
     glass_options o = {options->ggx, options->multiscatter != LOBE_MULTISCATTER_NONE};
+    o.ggx.model.method = method_of(options->ggx.model.method, 0.0f, material.alpha_x, 1.0f);
     *room = lobe_glass_at(&o, material, s->frame, s->geometric, to_viewer, is_back);
     s->glass = room;
 }

@@ -160,9 +160,9 @@ static void integrals_agree_on_both_charts(void **state) {
     lobe_dielectric_subject subject;
     lobe_dielectric_subject_make(&subject, parameters_of(0.5, 1.5, 60), LOBE_PRECISION_F64);
     lobe_bins own, plain;
-    assert_true(lobe_bins_make(&own, &subject.model, 8, 16));
+    assert_true(lobe_bins_make(&own, &subject.model, 24, 16));
     subject.model.chart = lobe_sphere_chart();
-    assert_true(lobe_bins_make(&plain, &subject.model, 8, 16));
+    assert_true(lobe_bins_make(&plain, &subject.model, 24, 16));
     assert_true(fabs(own.density - 1) < 1e-5); /* from outside no draw is lost */
     assert_true(fabs(own.density - plain.density) < 1e-4);
     assert_true(fabs(own.value - plain.value) < 1e-5);
