@@ -392,7 +392,9 @@ lobe_app_status lobe_app_render(int argc, char **argv) {
     if (values.list_scenes) return list_scenes(values.json);
     status = lobe_app_choose_model(values.ndf, values.masking, values.method, &values.model);
     if (status || (status = lobe_app_check_floor(&arguments, values.model))) return status;
-    if (values.method == LOBE_METHOD_COUNT) values.model.method = LOBE_METHOD_COUNT;
+    /* the choice by surface; any other distribution has one best method */
+    const bool has_choice = values.ndf == LOBE_NDF_GGX && values.masking == LOBE_MASKING_SMITH;
+    if (values.method == LOBE_METHOD_COUNT && has_choice) values.model.method = LOBE_METHOD_COUNT;
     if ((status = check(&values, &arguments))) return status;
     return render(&values, arguments.operand);
 }
