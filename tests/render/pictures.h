@@ -99,4 +99,19 @@ static inline double disagreement(const block_means *a, const block_means *b) {
     return sqrt(sum / (BLOCKS * BLOCKS));
 }
 
+/* Each of these ways to combine light and surface samples gives the picture of `o`, from other seeds. */
+static inline void assert_estimators_agree(const lobe_scene *scene, lobe_render_options o,
+                                           const lobe_heuristic *others, int count,
+                                           uint64_t first_seed) {
+    const block_means expected = measure(scene, o);
+    for (int k = 0; k < count; ++k) {
+        o.heuristic = others[k];
+        o.seed = first_seed + (uint64_t)k;
+        const block_means means = measure(scene, o);
+        const double z = disagreement(&means, &expected);
+        if (!(z < 2.2))
+            fail_msg("%s is off by %g standard errors", lobe_heuristic_name(others[k]), z);
+    }
+}
+
 #endif

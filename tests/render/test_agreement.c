@@ -55,17 +55,9 @@ static void estimators_agree(void **state) {
     lobe_scene *scene = load("cornell");
     lobe_render_options o = small(32, 32, 96);
     o.depth = 2;
-    block_means expected = measure(scene, o);
     const lobe_heuristic others[] = {LOBE_HEURISTIC_BALANCE, LOBE_HEURISTIC_BSDF_ONLY,
                                      LOBE_HEURISTIC_LIGHT_ONLY};
-    for (int k = 0; k < 3; ++k) {
-        o.heuristic = others[k];
-        o.seed = 5 + (uint64_t)k;
-        block_means means = measure(scene, o);
-        double z = disagreement(&means, &expected);
-        if (!(z < 2.2))
-            fail_msg("%s is off by %g standard errors", lobe_heuristic_name(others[k]), z);
-    }
+    assert_estimators_agree(scene, o, others, 3, 5);
     lobe_scene_free(scene);
 }
 
@@ -76,16 +68,8 @@ static void walks_agree(void **state) {
     lobe_render_options o = small(32, 32, 96);
     o.depth = 1;
     o.multiscatter = LOBE_MULTISCATTER_WALK;
-    block_means expected = measure(scene, o);
     const lobe_heuristic others[] = {LOBE_HEURISTIC_POWER, LOBE_HEURISTIC_LIGHT_ONLY};
-    for (int k = 0; k < 2; ++k) {
-        o.heuristic = others[k];
-        o.seed = 15 + (uint64_t)k;
-        block_means means = measure(scene, o);
-        double z = disagreement(&means, &expected);
-        if (!(z < 2.2))
-            fail_msg("%s is off by %g standard errors", lobe_heuristic_name(others[k]), z);
-    }
+    assert_estimators_agree(scene, o, others, 2, 15);
     lobe_scene_free(scene);
 }
 

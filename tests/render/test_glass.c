@@ -269,17 +269,9 @@ static void estimators_agree(void **state) {
     lobe_scene *scene = scene_of(GLASS("0.6", SOLID), 6, 0.5);
     lobe_render_options o = small(32, 32, 48);
     o.depth = 4;
-    block_means expected = measure(scene, o);
     const lobe_heuristic others[] = {LOBE_HEURISTIC_POWER, LOBE_HEURISTIC_BSDF_ONLY,
                                      LOBE_HEURISTIC_LIGHT_ONLY};
-    for (int k = 0; k < 3; ++k) {
-        o.heuristic = others[k];
-        o.seed = 5 + (uint64_t)k;
-        block_means means = measure(scene, o);
-        double z = disagreement(&means, &expected);
-        if (!(z < 2.2))
-            fail_msg("%s is off by %g standard errors", lobe_heuristic_name(others[k]), z);
-    }
+    assert_estimators_agree(scene, o, others, 3, 5);
     lobe_scene_free(scene);
 }
 
