@@ -137,7 +137,11 @@ static vec3 walk_value(const surface *s, vec3 wo) {
 
 void lobe_surface_add_glass(surface *s, glass *room, const surface_options *options,
                             glass_material material, vec3 to_viewer, int is_back) {
-    glass_options o = {options->ggx, options->multiscatter != LOBE_MULTISCATTER_NONE};
+    const int walks = options->multiscatter == LOBE_MULTISCATTER_WALK;
+    /* of thin walls no walk is known */
+    const int compensate =
+        walks ? material.is_thin : options->multiscatter != LOBE_MULTISCATTER_NONE;
+    glass_options o = {options->ggx, compensate, walks, s->walk_seed};
     o.ggx.model.method = method_of(options->ggx.model.method, 0.0f, material.alpha_x, 1.0f);
     *room = lobe_glass_at(&o, material, s->frame, s->geometric, to_viewer, is_back);
     s->glass = room;
@@ -278,7 +282,8 @@ static surface_draw among_others(const surface *s, surface_draw d, float probabi
     }
     vec3 value = lobe_surface_value(s, d.direction, &d.pdf);
     /* a walk has no density to divide by: beside one, every lobe is weighed alone */
-    if (!(s->walks > 0.0f)) d.weight = d.pdf > 0.0f ? v3_scale(value, 1.0f / d.pdf) : v3_all(0.0f);
+    if (s->walks > 0.0f || s->glass->walk_once > 0.0f) return d;
+    d.weight = d.pdf > 0.0f ? v3_scale(value, 1.0f / d.pdf) : v3_all(0.0f);
     return d;
 }
 
