@@ -1,4 +1,5 @@
 #include "dielectric_model.h"
+#include "rounded.h"
 
 #include <float.h>
 #include <math.h>
@@ -19,7 +20,7 @@ enum { SPECIALS = sizeof SPECIAL / sizeof *SPECIAL };
 #include "dielectric_model_template.h"
 
 static double rounded(double x, lobe_precision precision) {
-    return precision == LOBE_PRECISION_F32 ? (float)x : x;
+    return precision == LOBE_PRECISION_F32 ? lobe_rounded_to_float(x) : x;
 }
 
 static void incidence(const lobe_dielectric_parameters *p, double wi[3]) {

@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "child.h"
+#include "rounded.h"
 
 enum { PILOT_DRAWS = 65536 };
 
@@ -337,7 +338,7 @@ void lobe_plugin_subject_make(lobe_plugin_subject *subject, const lobe_plugin *p
     set_facts(model, subject);
     /* A model in single precision is asked about what it can represent. */
     for (int k = 0; k < 3 && model->random_bits == 24; ++k) {
-        subject->block.wi[k] = (float)subject->block.wi[k];
+        subject->block.wi[k] = lobe_rounded_to_float(subject->block.wi[k]);
     }
     memcpy(model->wi, subject->block.wi, sizeof model->wi);
 }

@@ -8,6 +8,7 @@
 #include <lobe/batch.h>
 
 #include "reflection_oracles.h"
+#include "rounded.h"
 
 static const double SPECIAL_ALPHA[] = {
     0.0, -0.0,    FLT_TRUE_MIN, DBL_TRUE_MIN, FLT_MIN,  1e-7,     1e-4,      0.01, 1,
@@ -35,7 +36,7 @@ enum { PAGE = 256 };
 #include "reflection_model_template.h"
 
 static double rounded(double x, lobe_precision precision) {
-    return precision == LOBE_PRECISION_F32 ? (float)x : x;
+    return precision == LOBE_PRECISION_F32 ? lobe_rounded_to_float(x) : x;
 }
 
 void lobe_reflection_model_name(lobe_model model, char *name, size_t name_size) {
