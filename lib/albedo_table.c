@@ -17,24 +17,6 @@ static const albedo_tables *tables_of(lobe_ndf ndf, lobe_masking masking, lobe_g
     return known ? &tables[((int)ndf * LOBE_MASKING_COUNT + (int)masking) * 2 + (int)g2] : NULL;
 }
 
-static float mix(float a, float b, float share) {
-    return a + share * (b - a);
-}
-
-/* A position from 0 to 1 on an axis of `count` nodes: the node below and the share of the next. */
-typedef struct place {
-    int node;
-    float share;
-} place;
-
-static place place_of(float position, int count) {
-    const float x = k_saturate(position) * (float)(count - 1);
-    place p;
-    p.node = (int)k_min(x, (float)(count - 2));
-    p.share = x - (float)p.node;
-    return p;
-}
-
 static float round_at(const albedo_tables *t, float mu, float root) {
     const albedo_stencil row = albedo_stencil_of(albedo_row(root), (float)ROUND_ROWS);
     const albedo_stencil column = albedo_stencil_of(albedo_column(mu, root), (float)ROUND_COLUMNS);
@@ -54,38 +36,42 @@ static float round_average(const albedo_tables *t, float root) {
 }
 
 static float turned_average(const albedo_tables *t, const lobe_albedo_f32 *a) {
-    const place row = place_of(a->row, TURNED_ROWS);
+    const albedo_stencil row = albedo_stencil_of(k_saturate(a->row), (float)TURNED_ROWS);
     const albedo_stencil ratio = albedo_stencil_of(k_saturate(a->ratio), (float)TURNED_RATIOS);
-    float side[2];
-    for (int r = 0; r < 2; ++r) {
-        const float *v = &t->turned_average[row.node + r][(int)ratio.first];
-        side[r] = albedo_mix(ratio, v[0], v[1], v[2], v[3]);
+    float along[4];
+    for (int r = 0; r < 4; ++r) {
+        const float *v = &t->turned_average[(int)row.first + r][(int)ratio.first];
+        along[r] = albedo_mix(ratio, v[0], v[1], v[2], v[3]);
     }
-    return mix(side[0], side[1], row.share);
+    return albedo_mix(row, along[0], along[1], along[2], along[3]);
 }
 
-/* Of four azimuths at each of four ratios, in one row and column. */
-static float face(const int16_t ratios[TURNED_RATIOS][TURNED_COLUMNS][TURNED_AZIMUTHS], int column,
-                  albedo_stencil ratio, albedo_stencil azimuth) {
+/* Of four azimuths at each of four columns, in one row and ratio. */
+static float face(const int16_t columns[TURNED_COLUMNS][TURNED_AZIMUTHS], albedo_stencil column,
+                  albedo_stencil azimuth) {
     float along[4];
     for (int k = 0; k < 4; ++k) {
-        const int16_t *v = &ratios[(int)ratio.first + k][column][(int)azimuth.first];
+        const int16_t *v = &columns[(int)column.first + k][(int)azimuth.first];
         along[k] = albedo_mix(azimuth, (float)v[0], (float)v[1], (float)v[2], (float)v[3]);
     }
-    return TURNED_STEP * albedo_mix(ratio, along[0], along[1], along[2], along[3]);
+    return albedo_mix(column, along[0], along[1], along[2], along[3]);
 }
 
 static float turned_at(const albedo_tables *t, const lobe_albedo_f32 *a, float mu, float toward) {
     const float turn = (toward - a->narrow) / k_max(a->wide - a->narrow, 1e-6f);
-    const place row = place_of(a->row, TURNED_ROWS);
-    const place column = place_of(albedo_column(mu, toward), TURNED_COLUMNS);
+    const albedo_stencil row = albedo_stencil_of(k_saturate(a->row), (float)TURNED_ROWS);
     const albedo_stencil ratio = albedo_stencil_of(k_saturate(a->ratio), (float)TURNED_RATIOS);
+    const albedo_stencil column =
+        albedo_stencil_of(albedo_column(mu, toward), (float)TURNED_COLUMNS);
     const albedo_stencil azimuth = albedo_stencil_of(k_saturate(turn), (float)TURNED_AZIMUTHS);
-    float side[2];
-    for (int r = 0; r < 2; ++r)
-        side[r] = mix(face(t->turned[row.node + r], column.node, ratio, azimuth),
-                      face(t->turned[row.node + r], column.node + 1, ratio, azimuth), column.share);
-    return mix(side[0], side[1], row.share);
+    float rows[4];
+    for (int r = 0; r < 4; ++r) {
+        float ratios[4];
+        for (int k = 0; k < 4; ++k)
+            ratios[k] = face(t->turned[(int)row.first + r][(int)ratio.first + k], column, azimuth);
+        rows[r] = albedo_mix(ratio, ratios[0], ratios[1], ratios[2], ratios[3]);
+    }
+    return TURNED_STEP * albedo_mix(row, rows[0], rows[1], rows[2], rows[3]);
 }
 
 static float root_of(float alpha) {

@@ -11,8 +11,8 @@
  *   ratio    n from 1/100 to r
  *   column   that of the roughness toward the direction
  *   azimuth  square root of the roughness toward the direction, from n to w
- * read linearly in row and column, cubically in ratio and azimuth; kept as multiples of TURNED_STEP. `turned_average`: the fourth root of
- * 1 - E_avg less that of a round surface of roughness r.
+ * read cubically in all four; kept as multiples of TURNED_STEP. `turned_average`: the fourth root of 1 - E_avg
+ * less that of a round surface of roughness r, read cubically too.
  *
  * Before including: a binding of the kernel language. */
 #ifndef LOBE_ALBEDO_TABLE_H

@@ -65,7 +65,7 @@ LOBE_API double lobe_albedo_average(lobe_microsurface s, lobe_reflectance f, lob
  *     float missing = lobe_albedo_missing_f32(&a, wo);     // 1 - E(wo); on average a.missing_average
  *
  * Largest errors for alpha and mu from 1e-3 to 1: equal roughnesses 1.5e-4, relative to E 3e-4; unequal
- * ones 6e-3 up to a ratio of 10:1, 1 % of E, Beckmann 1.4 % (docs/multiple-scattering.md).
+ * ones 2e-3 up to a ratio of 10:1, 3e-3 of E (docs/multiple-scattering.md).
  * A direction below the surface is taken for one in it. */
 typedef struct lobe_albedo_f32 {
     int32_t is_valid;      /* 0: no such microsurface, or a roughness not in [0, 2] */

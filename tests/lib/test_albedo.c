@@ -308,7 +308,8 @@ static void tables_of_unequal_roughnesses_are_close(void **state) {
                          1 - lobe_albedo_average(s, lobe_reflectance_one(), LOBE_EFFORT_MEDIUM),
                          (double)a.missing_average);
             }
-    assert_true(table.absolute < 6e-3 && table.relative < 1e-2);
+    if (!(table.absolute < 2e-3 && table.relative < 4e-3))
+        fail_msg("unequal roughnesses: off by %g, %g of E", table.absolute, table.relative);
     assert_true(averages.absolute < 2e-4 && averages.relative < 3e-2);
 }
 
@@ -385,21 +386,29 @@ static void fitted_furnace_is_nearly_one(void **state) {
         }
 }
 
+/* Every distribution and masking, also across the narrow direction of a wide surface, where tables are worst. */
 static void anisotropic_furnace_is_nearly_one(void **state) {
     (void)state;
-    for (int i = 0; i <= 3; ++i)
-        for (double ratio = 2; ratio < 11; ratio *= 2.23) {
-            double wide = pow(10, -1.5 + 1.5 * i / 3);
-            lobe_microsurface s = surface(LOBE_G2_CORRELATED, wide, wide / ratio);
-            lobe_albedo_f32 a = table_of(s);
-            double lobe = lobe_share(&a);
-            for (int j = 0; j <= 3; ++j) {
-                double mu = pow(10, -2.0 + 2.0 * j / 3), e = albedo(s, mu, 0.8);
-                double lacks = missing(&a, mu, 0.8);
-                assert_true(fabs(e + lacks * lobe - 1) < 1e-2);
-                assert_true(fabs(e * lobe_multiscatter_turquin_f64(1, lacks) - 1) < 1e-2);
+    for (int k = 0; k < LOBE_NDF_COUNT * LOBE_MASKING_COUNT; ++k)
+        for (int i = 0; i <= 3; ++i)
+            for (double ratio = 2; ratio < 11; ratio *= 2.23) {
+                const double mean = 0.562 * pow(10, -1.5 + 1.5 * i / 3);
+                const double wide = 2 * mean / (1 + 1 / ratio);
+                const lobe_microsurface s = {(lobe_ndf)(k / LOBE_MASKING_COUNT),
+                                             (lobe_masking)(k % LOBE_MASKING_COUNT),
+                                             LOBE_G2_CORRELATED, wide, wide / ratio};
+                const lobe_albedo_f32 a = table_of(s);
+                const double lobe = lobe_share(&a);
+                for (int j = 0; j <= 4; ++j)
+                    for (int azimuth = 0; azimuth < 2; ++azimuth) {
+                        const double mu = 0.562 * pow(10, -2.0 + 2.25 * j / 4);
+                        const double angle = azimuth ? 1.5708 : 0.8;
+                        const double e = albedo(s, fmin(mu, 1), angle);
+                        const double lacks = missing(&a, fmin(mu, 1), angle);
+                        assert_true(fabs(e + lacks * lobe - 1) < 4e-3);
+                        assert_true(fabs(e * lobe_multiscatter_turquin_f64(1, lacks) - 1) < 4e-3);
+                    }
             }
-        }
 }
 
 static void compensation_is_as_published(void **state) {
