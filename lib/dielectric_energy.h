@@ -17,4 +17,9 @@ enum { LOBE_ENERGY_COSINES = 32, LOBE_ENERGY_ALPHAS = 16, LOBE_ENERGY_INDICES = 
 /* Cosine to the normal, from 0 on; alpha; eta: far index over near index, seen from the viewer. */
 float lobe_dielectric_energy(float cosine, float alpha, float eta, int separable);
 
+/* The factor of unequal roughnesses on that: lib/dielectric_turned.h. wide_share: cos^2 of the azimuth from the
+ * wider axis. */
+float lobe_dielectric_turned(float cosine, float alpha_wide, float alpha_narrow, float wide_share,
+                             float eta, int separable);
+
 #endif

@@ -5,6 +5,7 @@
 
 #include "../kernel/ggx_dielectric.h"
 #include "dielectric_energy.h"
+#include "dielectric_turned.h"
 
 typedef LOBE_NAME(dielectric) model_type;
 typedef LOBE_NAME(dielectric_draw) draw_type;
@@ -29,27 +30,27 @@ static ggx_dielectric state_of(const model_type *model) {
     return s;
 }
 
-/* The roughness to look up: isotropic, what it is; else squares of the roughness toward i, t, and across, x,
- * in shares (1 + sin^2)/2 and (1 - sin^2)/2: of a dozen rules tried the one of the smallest worst error. */
-static real single_roughness(ggx_base g) {
+/* What a direction scatters once of even light. */
+static real energy_once(ggx_dielectric s) {
+    ggx_base g = s.caps.cap.g;
+    float cosine = (float)g.wi.z, eta = (float)s.side.n.eta;
+    int separable = k_is(g.separable);
+    if (g.ax == g.ay) return (real)lobe_dielectric_energy(cosine, (float)g.ax, eta, separable);
     real plane = g.wi.x * g.wi.x + g.wi.y * g.wi.y;
     real along_x = k_select(plane > K_TINY, g.wi.x * g.wi.x / k_max(plane, K_TINY), R(0.5));
-    real along_y = R(1.0) - along_x;
-    real ax2 = g.ax * g.ax;
-    real ay2 = g.ay * g.ay;
-    real toward = along_x * ax2 + along_y * ay2;
-    real across = along_x * ay2 + along_y * ax2;
-    return k_sqrt(R(0.5) * ((toward + across) + plane * (toward - across)));
+    real share = k_select(g.ax > g.ay, along_x, R(1.0) - along_x);
+    real wide = k_max(g.ax, g.ay), narrow = k_min(g.ax, g.ay);
+    real single = lobe_turned_single(wide, narrow, share, plane);
+    return (real)(lobe_dielectric_energy(cosine, (float)single, eta, separable) *
+                  lobe_dielectric_turned(cosine, (float)wide, (float)narrow, (float)share, eta,
+                                         separable));
 }
 
 /* What makes up for the light that single scattering loses; thin walls and point masses lose none.
  * Next to the horizon, for an index next to 1, all of it is lost: there is a limit. */
 static real energy_factor(ggx_dielectric s) {
-    ggx_base g = s.caps.cap.g;
     if (!k_is(s.side.valid) || k_is(s.side.straight) || k_is(s.side.mirror)) return 1;
-    float energy = lobe_dielectric_energy((float)g.wi.z, (float)single_roughness(g),
-                                          (float)s.side.n.eta, k_is(g.separable));
-    return R(1.0) / k_max((real)energy, R(1e-3));
+    return R(1.0) / k_max(energy_once(s), R(1e-3));
 }
 
 model_type LOBE_NAME(dielectric_prepare)(lobe_dielectric_options options, vec_type wi, real alpha_x,

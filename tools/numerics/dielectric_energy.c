@@ -7,44 +7,22 @@
  *
  * Each entry is the mean over a regular square of (u1, u2) of what the facets reflect and transmit
  * properly: the choice between the two, u3, is integrated exactly. */
-#include "kernel/bind/c_f64.h"
-
-#include "kernel/ggx_dielectric.h"
 #include "lib/dielectric_energy.h"
+#include "dielectric_facets.h"
 
 #include <math.h>
 #include <stdio.h>
 
 enum { SIDE = 40, FINE_SIDE = 120 };
 
-/* Smallest roughness of the model, also for the first row of the table. */
-static const double LEAST_ALPHA = 1e-4;
-
-static double facet_energy(const ggx_dielectric *s, double u1, double u2) {
-    dielectric_facet f = ggx_dielectric_drawn(*s, u1, u2);
-    double reflected = f.reflects ? dielectric_ratio_r(s->side, f) : 0;
-    double transmitted = f.passes ? dielectric_ratio_t(s->side, f) : 0;
-    return reflected + transmitted;
-}
-
-static ggx_dielectric model(double azimuth, double cosine, double alpha_x, double alpha_y,
-                            double eta, int separable) {
-    int inside = eta < 1;
-    double sine = sqrt((1 - cosine) * (1 + cosine));
-    double least = inside ? -fmax(cosine, 1e-300) : cosine;
-    v3 wi = v3_of(sine * cos(azimuth), sine * sin(azimuth), least);
-    dielectric_options options = {separable, true, false, true};
-    return ggx_dielectric_prepare(wi, alpha_x, alpha_y, inside ? 1 / eta : eta, options);
-}
-
-/* The isotropic surface is the same on both sides of the plane of incidence: half of the azimuths. */
-static double energy(ggx_dielectric s, int side, int symmetric) {
+/* The mean over a regular square. The isotropic surface is the same on both sides of the plane of incidence: half
+ * of the azimuths. */
+static double energy(ggx_dielectric s, int side) {
     double sum = 0;
-    int width = symmetric ? side : 2 * side;
-    for (int i = 0; i < width; ++i)
+    for (int i = 0; i < side; ++i)
         for (int j = 0; j < 2 * side; ++j)
             sum += facet_energy(&s, (i + 0.5) / (2 * side), (j + 0.5) / (2 * side));
-    return sum / (2.0 * side * width);
+    return sum / (2.0 * side * side);
 }
 
 #ifndef MEASURE
@@ -60,7 +38,7 @@ static double entry(int separable, int row, int column, int cell) {
     double s = absolute(fabs(step), alpha);
     double n = 1 + 2 * fmax(s * s, 1e-10); /* equal indices are approached, not reached */
     double cosine = absolute((double)cell / (LOBE_ENERGY_COSINES - 1), alpha);
-    return energy(model(0, cosine, alpha, alpha, step < 0 ? 1 / n : n, separable), SIDE, 1);
+    return energy(model(0, cosine, alpha, alpha, step < 0 ? 1 / n : n, separable), SIDE);
 }
 
 int main(void) {
@@ -77,19 +55,17 @@ int main(void) {
 
 #else
 
-#include <lobe/dielectric.h>
 #include <lobe/random.h>
 
 enum { PLACES = 20000 };
 
 typedef struct worst {
-    double error, at[4], squares;
+    double error, at[4];
     int above;
 } worst;
 
 static void keep(worst *w, double error, const double at[4]) {
     w->above += error > 0.01;
-    w->squares += error * error;
     if (!(error > w->error)) return;
     w->error = error;
     for (int k = 0; k < 4; ++k) w->at[k] = at[k];
@@ -117,7 +93,7 @@ static void measure_isotropic(void) {
         double cosine, alpha, eta;
         place(k, &cosine, &alpha, &eta);
         int separable = (int)(k & 1);
-        double e = energy(model(0, cosine, alpha, alpha, eta, separable), FINE_SIDE, 1);
+        double e = energy(model(0, cosine, alpha, alpha, eta, separable), FINE_SIDE);
         double t = lobe_dielectric_energy((float)cosine, (float)alpha, (float)eta, separable);
         int kind = fmax(eta, 1 / eta) >= 1.1 ? 0 : cosine >= 0.1 ? 1 : 2;
         double at[4] = {cosine, alpha, eta, separable};
@@ -131,39 +107,8 @@ static void measure_isotropic(void) {
                count[k]);
 }
 
-/* Through the library, which chooses the roughness to look up. */
-static void measure_anisotropic(double ratio) {
-    worst w = {0};
-    int count = 0;
-    for (uint64_t k = 0; k < PLACES / 20; ++k) {
-        double cosine, alpha, eta;
-        place(k, &cosine, &alpha, &eta);
-        if (fmax(eta, 1 / eta) < 1.1 || cosine < 0.02) continue;
-        double azimuth = 6.283185307179586 * lobe_random_unit_f32(lobe_random(4, 1, k).word[0]);
-        int separable = (int)(k & 1);
-        double ay = alpha / ratio;
-        ggx_dielectric s = model(azimuth, cosine, alpha, ay, eta, separable);
-        lobe_vec3_f64 wi = {s.caps.cap.g.wi.x, s.caps.cap.g.wi.y, s.caps.cap.g.wi.z * s.side.turn};
-        lobe_dielectric_options options = lobe_dielectric_default_options();
-        options.g2 = separable ? LOBE_G2_SEPARABLE : LOBE_G2_CORRELATED;
-        options.compensate = 1;
-        lobe_dielectric_f64 d =
-            lobe_dielectric_prepare_f64(options, wi, alpha, ay, eta < 1 ? 1 / eta : eta);
-        double at[4] = {cosine, alpha, eta, azimuth};
-        keep(&w, fabs(energy(s, FINE_SIDE / 2, 0) * d.energy_factor - 1), at);
-        count += 1;
-    }
-    printf("ratio %g: worst %.4f at cosine %.4g alpha %.4g eta %.5g azimuth %.3g; root mean square "
-           "%.4f; "
-           "%d of %d above 0.01\n",
-           ratio, w.error, w.at[0], w.at[1], w.at[2], w.at[3], sqrt(w.squares / count), w.above,
-           count);
-}
-
 int main(void) {
     measure_isotropic();
-    const double ratios[] = {1, 2, 4, 10};
-    for (int k = 0; k < 4; ++k) measure_anisotropic(ratios[k]);
     return 0;
 }
 
