@@ -213,6 +213,10 @@ K_FN real beckmann_slopes_inverse(beckmann_slopes r, real u, real v) {
 
 /* Residual of the inverse, the share of all visible slopes that the depth misses, against long double
  * (tests/kernel/beckmann_slopes_template.h: c over all magnitudes of both signs, whole and limited ranges): below
- * 3e-7 in float, at c < 0 and shares of about 1/2; below 1e-7 for shares under 0.1; 5e-16 in double. */
+ * 3e-7 in float, at c < 0 and shares of about 1/2; 5e-16 in double. Of 400000 in float the worst is 2.5e-7 at c =
+ * -7.12437057, u = 0.694748163, and 0.44 % are above 1e-7. The depth nearest to the exact root would leave up to
+ * 4.4e-8: what is above that is the rounding of the share itself, an exponential times a quotient, not the
+ * steps: of 120000 of them the worst is 2.3e-7, with a third step too, 2.4e-7 with the integral near the end in
+ * use up to g (g + 2s) = 1.7, where half of the slopes are above, and 2.6e-7 with both. */
 
 #endif
