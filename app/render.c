@@ -234,7 +234,7 @@ static json_t *json_statistics(const render_values *v, const char *scene,
         "cpu_seconds", lobe_app_json_number(st->cpu_seconds));
 }
 
-static json_t *json_error(const lobe_film_difference *d) {
+static json_t *json_error(const lobe_picture_difference *d) {
     return json_pack("{so so so so so}", "rmse", lobe_app_json_number(d->rmse), "relmse",
                      lobe_app_json_number(d->relative_mse), "mean", lobe_app_json_number(d->mean),
                      "mean_reference", lobe_app_json_number(d->mean_reference), "largest",
@@ -244,7 +244,7 @@ static json_t *json_error(const lobe_film_difference *d) {
 /* What was measured, with the error against the reference if there is one. */
 static lobe_app_status print_statistics(const render_values *v, const char *scene,
                                         const lobe_render_statistics *st,
-                                        const lobe_film_difference *d) {
+                                        const lobe_picture_difference *d) {
     if (v->json) {
         json_t *object = json_statistics(v, scene, st);
         if (object && v->reference) json_object_set_new(object, "error", json_error(d));
@@ -273,7 +273,7 @@ static lobe_app_status finish_picture(const render_values *v, const char *scene,
                                       const lobe_film *film, const lobe_film *reference,
                                       const lobe_render_statistics *st) {
     lobe_film_write_options write = lobe_film_default_write_options();
-    lobe_film_difference difference = {0};
+    lobe_picture_difference difference = {0};
     write.exposure = (float)v->exposure;
     lobe_render_result result = LOBE_RENDER_OK;
     if (v->out) result = lobe_film_write(film, v->out, write);

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "image.h"
+#include "lobe/metrics.h"
 #include "message.h"
 
 /* Channels that come from the sums of the first hit. */
@@ -118,30 +119,21 @@ lobe_render_result lobe_film_read(const char *path, lobe_film **film) {
 }
 
 lobe_render_result lobe_film_compare(const lobe_film *film, const lobe_film *reference,
-                                     lobe_film_difference *difference) {
-    *difference = (lobe_film_difference){0};
+                                     lobe_picture_difference *difference) {
+    *difference = (lobe_picture_difference){0};
     if (film->width != reference->width || film->height != reference->height)
         return lobe_fail(LOBE_RENDER_BAD_INPUT,
                          "compare: sizes differ, %d x %d and %d x %d; render both at one size",
                          film->width, film->height, reference->width, reference->height);
-    size_t count = (size_t)film->width * (size_t)film->height;
-    double squares = 0.0;
-    for (size_t i = 0; i < count; i++) {
-        vec3 mean_a = lobe_film_mean(film, i), mean_b = lobe_film_mean(reference, i);
-        const double a[3] = {mean_a.x, mean_a.y, mean_a.z}, b[3] = {mean_b.x, mean_b.y, mean_b.z};
-        for (int c = 0; c < 3; c++) {
-            double squared = (a[c] - b[c]) * (a[c] - b[c]);
-            squares += squared;
-            difference->relative_mse += squared / (b[c] * b[c] + 0.01);
-            difference->mean += a[c];
-            difference->mean_reference += b[c];
-            difference->largest = fmax(difference->largest, fabs(a[c] - b[c]));
-        }
+    const size_t count = (size_t)film->width * (size_t)film->height;
+    float *rgb[2] = {malloc(3 * count * sizeof(float)), malloc(3 * count * sizeof(float))};
+    const int ok = rgb[0] && rgb[1];
+    if (ok) {
+        lobe_film_copy_rgb(film, rgb[0]);
+        lobe_film_copy_rgb(reference, rgb[1]);
+        *difference = lobe_compare_pictures(rgb[0], rgb[1], count);
     }
-    double channels = 3.0 * (double)count;
-    difference->rmse = sqrt(squares / channels);
-    difference->relative_mse /= channels;
-    difference->mean /= channels;
-    difference->mean_reference /= channels;
-    return LOBE_RENDER_OK;
+    free(rgb[0]);
+    free(rgb[1]);
+    return ok ? LOBE_RENDER_OK : lobe_fail_memory("compare");
 }
