@@ -106,16 +106,35 @@ int lobe_film_copy_aov(const lobe_film *film, lobe_aov aov, float *values) {
     return 1;
 }
 
+lobe_render_result lobe_film_from_rgb(const float *rgb, int width, int height, lobe_film **film) {
+    *film = lobe_film_create(width, height, 0);
+    for (size_t i = 0; *film && i < (size_t)width * (size_t)height; i++)
+        lobe_film_add(*film, i,
+                      &(film_sample){.radiance = v3(rgb[3 * i], rgb[3 * i + 1], rgb[3 * i + 2])});
+    return *film ? LOBE_RENDER_OK : lobe_fail_memory("picture");
+}
+
+static size_t count_not_finite(const image *picture) {
+    size_t count = 0;
+    for (size_t i = 0; i < (size_t)picture->width * (size_t)picture->height; i++)
+        count += !v3_is_finite(picture->pixels[i]);
+    return count;
+}
+
 lobe_render_result lobe_film_read(const char *path, lobe_film **film) {
     *film = NULL;
     image picture;
-    lobe_render_result result = lobe_image_read(path, &picture, NULL);
+    lobe_render_result result = lobe_image_decode(path, &picture);
     if (result != LOBE_RENDER_OK) return result;
-    *film = lobe_film_create(picture.width, picture.height, 0);
-    for (size_t i = 0; *film && i < (size_t)picture.width * (size_t)picture.height; i++)
-        lobe_film_add(*film, i, &(film_sample){.radiance = picture.pixels[i]});
+    const size_t bad = count_not_finite(&picture);
+    if (bad)
+        result = lobe_fail(LOBE_RENDER_BAD_INPUT,
+                           "%s: %zu pixels are infinite or no number; an error of it would be too",
+                           path, bad);
+    else
+        result = lobe_film_from_rgb(&picture.pixels->x, picture.width, picture.height, film);
     lobe_image_free(&picture);
-    return *film ? LOBE_RENDER_OK : lobe_fail_memory(path);
+    return result;
 }
 
 lobe_render_result lobe_film_compare(const lobe_film *film, const lobe_film *reference,

@@ -274,7 +274,12 @@ LOBE_API int lobe_film_can_write(const char *path);
 LOBE_API lobe_render_result lobe_film_write(const lobe_film *film, const char *path,
                                             lobe_film_write_options options);
 
-/* Read .exr, .hdr or .pfm (colour only) to compare with. To be freed by lobe_film_free. */
+/* A film of width * height * 3 floats, rows from the top. To be freed by lobe_film_free. */
+LOBE_API lobe_render_result lobe_film_from_rgb(const float *rgb, int width, int height,
+                                               lobe_film **film);
+
+/* Read .exr, .hdr, .pfm or 8-bit pictures as sRGB (colour only) to compare with; refused if a value is not
+ * finite. To be freed by lobe_film_free. */
 LOBE_API lobe_render_result lobe_film_read(const char *path, lobe_film **film);
 
 /* Difference of `film` from `reference`; LOBE_RENDER_BAD_INPUT if their sizes differ. */
