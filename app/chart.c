@@ -5,7 +5,7 @@
 
 #include "page.h"
 
-enum { WIDTH = 460, HEIGHT = 300, LEFT = 58, RIGHT = 12, TOP = 22, BOTTOM = 40 };
+enum { WIDTH = 370, HEIGHT = 260, LEFT = 52, RIGHT = 12, TOP = 22, BOTTOM = 40 };
 
 /* Told apart also without colour: the marks differ as well. */
 const char lobe_app_chart_style[] =
@@ -66,25 +66,40 @@ static double at_y(const frame *f, double y) {
     return TOP + (HEIGHT - TOP - BOTTOM) * (1 - fmax(share, 0));
 }
 
-/* Decades, with 2 and 5 between them where there are few. */
-static bool has_tick(double decades, int digit) {
-    return digit == 1 || (decades < 2.2 && digit != 0);
+static void write_tick(FILE *file, const frame *f, bool is_x, double value) {
+    const double x = is_x ? at_x(f, value) : LEFT, y = is_x ? TOP : at_y(f, value);
+    fprintf(file, "<line class=axis x1=%.1f x2=%.1f y1=%.1f y2=%.1f />", x,
+            is_x ? x : WIDTH - RIGHT, y, is_x ? HEIGHT - BOTTOM : y);
+    fprintf(file, "<text x=%.1f y=%.1f text-anchor=%s>%.10g</text>", is_x ? x : LEFT - 5,
+            is_x ? HEIGHT - BOTTOM + 15 : y + 4, is_x ? "middle" : "end", value);
 }
 
+/* Decades, with digits between them where there are few. */
 static void write_ticks(FILE *file, const frame *f, bool is_x) {
     const double first = is_x ? f->x0 : f->y0, last = is_x ? f->x1 : f->y1;
-    static const int digits[] = {1, 2, 5};
+    const double decades = last - first;
+    static const int digits[] = {1, 2, 5, 3, 7};
+    const int count = decades > 2.2 ? 1 : decades > 0.8 ? 3 : 5;
     for (int decade = (int)floor(first); decade <= (int)ceil(last); decade++)
-        for (int i = 0; i < 3; i++) {
+        for (int i = 0; i < count; i++) {
             const double value = digits[i] * pow(10, decade);
-            if (!has_tick(last - first, digits[i]) || log10(value) < first || log10(value) > last)
-                continue;
-            const double x = is_x ? at_x(f, value) : LEFT, y = is_x ? TOP : at_y(f, value);
-            fprintf(file, "<line class=axis x1=%.1f x2=%.1f y1=%.1f y2=%.1f />", x,
-                    is_x ? x : WIDTH - RIGHT, y, is_x ? HEIGHT - BOTTOM : y);
-            fprintf(file, "<text x=%.1f y=%.1f text-anchor=%s>%.10g</text>", is_x ? x : LEFT - 5,
-                    is_x ? HEIGHT - BOTTOM + 15 : y + 4, is_x ? "middle" : "end", value);
+            if (log10(value) >= first && log10(value) <= last) write_tick(file, f, is_x, value);
         }
+}
+
+/* Where the points are, if that is the same for all and leaves room for the numbers. */
+static void write_x_ticks(FILE *file, const frame *f, const lobe_app_chart *chart) {
+    const lobe_app_series *s = &chart->series[0];
+    double before = -INFINITY;
+    if (!chart->has_ticks_at_points) {
+        write_ticks(file, f, true);
+        return;
+    }
+    for (int i = 0; i < s->count; i++) {
+        if (at_x(f, s->x[i]) - before < 26) continue;
+        before = at_x(f, s->x[i]);
+        write_tick(file, f, true, s->x[i]);
+    }
 }
 
 static void write_mark(FILE *file, int kind, double x, double y) {
@@ -154,12 +169,12 @@ void lobe_app_write_chart(FILE *file, const lobe_app_chart *chart) {
     fputs(" against ", file);
     lobe_app_write_html(file, chart->x_title);
     fputs("\">", file);
-    write_ticks(file, &f, true);
+    write_x_ticks(file, &f, chart);
     write_ticks(file, &f, false);
     for (int k = 0; k < chart->count; k++) write_series(file, &f, &chart->series[k], k);
     fprintf(file, "<text x=%d y=%d text-anchor=middle>", (LEFT + WIDTH) / 2, HEIGHT - 6);
     lobe_app_write_html(file, chart->x_title);
-    fprintf(file, "</text><text x=%d y=%d>", LEFT - 50, TOP - 9);
+    fprintf(file, "</text><text x=%d y=%d>", LEFT - 46, TOP - 9);
     lobe_app_write_html(file, chart->y_title);
     fputs("</text></svg>", file);
     write_names(file, chart);

@@ -2,6 +2,7 @@
 #ifndef LOBE_APP_CHART_H
 #define LOBE_APP_CHART_H
 
+#include <stdbool.h>
 #include <stdio.h>
 
 enum { LOBE_APP_CHART_POINTS = 12, LOBE_APP_CHART_COLOURS = 8 };
@@ -16,6 +17,7 @@ typedef struct lobe_app_series {
 
 typedef struct lobe_app_chart {
     const char *x_title, *y_title;
+    bool has_ticks_at_points; /* those of the first series; else round numbers */
     int count;
     const lobe_app_series *series;
 } lobe_app_chart;

@@ -2,6 +2,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 #include <lobe/version.h>
 
@@ -19,13 +20,23 @@ static void print_estimate(lobe_app_estimate e, int digits) {
     lobe_app_print("  %-18s", text);
 }
 
+/* Of the column of names. */
+static int name_width(const lobe_app_comparison *c) {
+    int width = 6;
+    for (int m = 0; m < c->contenders; m++) {
+        const int length = (int)strlen(c->contender[m].name);
+        if (length > width) width = length;
+    }
+    return width;
+}
+
 static void print_row(const lobe_app_comparison *c, int m, int n) {
     const lobe_app_cell *cell = &c->cell[m][n];
-    lobe_app_print("%-24s%7u", c->contender[m].name, cell->spp);
+    lobe_app_print("%-*s%9u", name_width(c), c->contender[m].name, cell->spp);
     print_estimate(lobe_app_rmse(cell), 4);
     print_estimate(lobe_app_relmse(cell), 4);
     print_estimate(lobe_app_flip(cell), 4);
-    lobe_app_print("  %7.4f%9.2f %%%9.3g%10.3g\n", cell->flip_hdr,
+    lobe_app_print("  %8.4f%8.2f %%%9.3g%10.3g\n", cell->flip_hdr,
                    100 * lobe_app_rejected_share(cell), lobe_app_median_seconds(cell),
                    1e-6 * lobe_app_rays_per_second(cell));
 }
@@ -49,8 +60,9 @@ void lobe_app_print_comparison(const lobe_app_comparison *c) {
                        cell->flip_hdr);
         return;
     }
-    lobe_app_print("%-24s%7s  %-18s  %-18s  %-18s  %8s%10s%9s%10s\n", "method", "samples", "RMSE",
-                   "relMSE", "FLIP", "HDR-FLIP", "rejected", "seconds", "Mrays/s");
+    lobe_app_print("%-*s%9s  %-18s  %-18s  %-18s  %8s%10s%9s%10s\n", name_width(c), "method",
+                   "samples", "RMSE", "relMSE", "FLIP", "HDR-FLIP", "rejected", "seconds",
+                   "Mrays/s");
     for (int n = 0; n < c->sizes; n++)
         for (int m = 0; m < c->contenders; m++)
             if (c->cell[m][n].count) print_row(c, m, n);

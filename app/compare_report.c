@@ -41,7 +41,7 @@ static const char STYLE[] =
     "gap:1.2rem}.grid{display:grid;gap:.7rem;margin:.6rem 0;"
     "grid-template-columns:repeat(auto-fill,minmax(min(15rem,46%),1fr))}"
     ".grid img{width:100%;height:auto;display:block;border-radius:.3rem}"
-    ".crops{display:grid;gap:.4rem;grid-template-columns:repeat(auto-fill,minmax(min(9rem,30%),"
+    ".crops{display:grid;gap:.4rem;grid-template-columns:repeat(auto-fill,minmax(min(12rem,45%),"
     "1fr));margin:.3rem 0 1rem}.crops img{width:100%;height:auto;display:block;"
     "image-rendering:pixelated;border-radius:.3rem}"
     ".places{position:relative}.places i{position:absolute;border:2px solid #fff;"
@@ -315,8 +315,9 @@ static void write_curve(FILE *file, const lobe_app_comparison *c, lobe_app_axis 
             s->error[s->count++] = e.error;
         }
     }
-    const lobe_app_chart chart = {axis == LOBE_APP_AXIS_SAMPLES ? "samples a pixel" : "seconds",
-                                  "relMSE", c->contenders, series};
+    const bool is_of_samples = axis == LOBE_APP_AXIS_SAMPLES;
+    const lobe_app_chart chart = {is_of_samples ? "samples a pixel" : "seconds", "relMSE",
+                                  is_of_samples, c->contenders, series};
     lobe_app_write_chart(file, &chart);
 }
 
