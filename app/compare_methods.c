@@ -57,6 +57,14 @@ static void make_file_name(lobe_app_contender *k) {
         k->file[i] = !k->name[i] || strchr(good, k->name[i]) ? k->name[i] : '-';
 }
 
+/* Ends `text` at its first colon; what follows it, or NULL. */
+static char *split(char *text) {
+    char *colon = strchr(text, ':');
+    if (!colon) return NULL;
+    *colon = '\0';
+    return colon + 1;
+}
+
 /* One name with its settings. */
 static lobe_app_status read_method(const char *text, size_t length, const lobe_app_view *view,
                                    lobe_app_contender *k) {
@@ -68,11 +76,12 @@ static lobe_app_status read_method(const char *text, size_t length, const lobe_a
     memcpy(k->name, text, length);
     char parts[sizeof k->name];
     memcpy(parts, k->name, sizeof parts);
-    char *rest;
-    char *part = strtok_r(parts, ":", &rest);
-    if (!part) part = parts;
+    char *part = parts, *next = split(part);
     lobe_app_status status = choose_model(part, view, k);
-    while (!status && (part = strtok_r(NULL, ":", &rest))) status = read_setting(part, k);
+    for (part = next; part && !status; part = next) {
+        next = split(part);
+        status = read_setting(part, k);
+    }
     make_file_name(k);
     return status;
 }

@@ -106,25 +106,18 @@ static bool write_whole(FILE *file, const lobe_app_comparison *c, const float *r
     return is_good;
 }
 
-static int by_value(const void *a, const void *b) {
-    const float x = *(const float *)a, y = *(const float *)b;
-    return (x > y) - (x < y);
-}
-
 /* Where the ramp of relative errors ends, one for all contenders of a size: what 99.5 % of the pixels of the
  * worst one stay below. */
 static float relative_most(const lobe_app_comparison *c, int size) {
     const size_t pixels = (size_t)c->width * (size_t)c->height;
-    float *sorted = malloc(pixels * sizeof *sorted), most = 0;
-    for (int m = 0; sorted && m < c->contenders; m++) {
+    float most = 0;
+    for (int m = 0; m < c->contenders; m++) {
         const lobe_app_cell *cell = &c->cell[m][size];
-        if (!cell->count) continue;
-        memcpy(sorted, cell->relative, pixels * sizeof *sorted);
-        qsort(sorted, pixels, sizeof *sorted, by_value);
-        most = fmaxf(most, sorted[pixels - 1 - pixels / 200] / (float)cell->count);
+        if (cell->count)
+            most =
+                fmaxf(most, lobe_app_quantile(cell->relative, pixels, 0.995) / (float)cell->count);
     }
-    free(sorted);
-    return most > 0 ? most : 1;
+    return most > 0 && isfinite(most) ? most : 1;
 }
 
 /* Three bytes a pixel; to be freed. NULL: out of memory. */

@@ -112,6 +112,9 @@ int lobe_app_rival(const lobe_app_comparison *c, int best, lobe_app_axis axis);
 /* "On this scene horizon needs 62 % of the samples of ellipsoid" in `text`. */
 void lobe_app_headline(const lobe_app_comparison *c, char *text, size_t size);
 
+/* The value that a share of `values` does not exceed; infinity: out of memory. */
+float lobe_app_quantile(const float *values, size_t count, double share);
+
 /* A square where the contenders differ most. */
 typedef struct lobe_app_crop {
     int x, y, size;

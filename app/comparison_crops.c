@@ -1,6 +1,7 @@
 /* Where the contenders differ most. */
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "comparison.h"
 
@@ -9,15 +10,14 @@ static int by_value(const void *a, const void *b) {
     return (x > y) - (x < y);
 }
 
-/* All but the worst thousandth: one bright pixel makes no place. */
-static float usual_most(const float *values, size_t count) {
+float lobe_app_quantile(const float *values, size_t count, double share) {
     float *sorted = malloc(count * sizeof *sorted);
     if (!sorted) return INFINITY;
-    for (size_t i = 0; i < count; i++) sorted[i] = values[i];
+    memcpy(sorted, values, count * sizeof *sorted);
     qsort(sorted, count, sizeof *sorted, by_value);
-    const float most = sorted[count - 1 - count / 1000];
+    const float value = sorted[(size_t)(share * (double)(count - 1))];
     free(sorted);
-    return most;
+    return value;
 }
 
 static double error_within(const lobe_app_comparison *c, const lobe_app_cell *cell,
@@ -56,7 +56,8 @@ int lobe_app_find_crops(const lobe_app_comparison *c, int size, lobe_app_crop *c
     const size_t pixels = (size_t)c->width * (size_t)c->height;
     float limits[LOBE_APP_CONTENDERS_MAX] = {0};
     for (int m = 0; m < c->contenders; m++)
-        if (c->cell[m][size].count) limits[m] = usual_most(c->cell[m][size].relative, pixels);
+        if (c->cell[m][size].count) /* one bright pixel makes no place */
+            limits[m] = lobe_app_quantile(c->cell[m][size].relative, pixels, 0.999);
     int count = 0;
     for (; count < most; count++) {
         double best = 0;
