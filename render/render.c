@@ -288,9 +288,10 @@ static lobe_render_result render_with(const coat_table *const *coats, const lobe
                                       lobe_render_statistics *statistics) {
     job j = {.scene = scene, .options = options, .start = now(CLOCK_MONOTONIC)};
     double cpu = now(CLOCK_PROCESS_CPUTIME_ID);
-    j.integrator = (integrator){scene,          {options->reflection, NULL, options->multiscatter},
-                                coats,          options->heuristic,
-                                options->depth, options->roulette_depth};
+    j.integrator = (integrator){
+        scene,          {.ggx = options->reflection, .multiscatter = options->multiscatter},
+        coats,          options->heuristic,
+        options->depth, options->roulette_depth};
     lobe_render_result result = aim(&j);
     if (result != LOBE_RENDER_OK) return result;
     make_filter(j.filter);
