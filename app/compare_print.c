@@ -77,7 +77,7 @@ static json_t *json_row(const lobe_app_comparison *c, int m, int n) {
     const lobe_app_cell *cell = &c->cell[m][n];
     const lobe_app_estimate rmse = lobe_app_rmse(cell), relmse = lobe_app_relmse(cell),
                             flip = lobe_app_flip(cell);
-    return json_pack("{so sI si so so so so so so so so so so}", "method",
+    return json_pack("{so sI si so so so so so so so so so so so}", "method",
                      lobe_app_json_text(c->contender[m].name), "spp", (json_int_t)cell->spp,
                      "seeds", cell->count, "rmse", lobe_app_json_number(rmse.value), "rmse_error",
                      lobe_app_json_number(rmse.error), "relmse", lobe_app_json_number(relmse.value),
@@ -86,7 +86,8 @@ static json_t *json_row(const lobe_app_comparison *c, int m, int n) {
                      lobe_app_json_number(flip.error), "flip_hdr",
                      lobe_app_json_number(cell->flip_hdr), "rejected_share",
                      lobe_app_json_number(lobe_app_rejected_share(cell)), "seconds",
-                     lobe_app_json_number(lobe_app_median_seconds(cell)), "rays_per_second",
+                     lobe_app_json_number(lobe_app_median_seconds(cell)), "cpu_seconds",
+                     lobe_app_json_number(lobe_app_cpu_seconds(cell)), "rays_per_second",
                      lobe_app_json_number(lobe_app_rays_per_second(cell)));
 }
 

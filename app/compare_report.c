@@ -173,6 +173,11 @@ static void write_estimate(FILE *file, lobe_app_estimate e, int decimals, double
     if (isfinite(e.error)) fprintf(file, "&nbsp;&plusmn;&nbsp;%.*f", decimals, scale * e.error);
 }
 
+/* In percent, with a decimal where the error asks for it. */
+static void write_percent(FILE *file, lobe_app_estimate e) {
+    write_estimate(file, e, e.error < 0.0095 ? 1 : 0, 100);
+}
+
 /* An error: three digits, its own error one. */
 static void write_error(FILE *file, lobe_app_estimate e) {
     fprintf(file, "%.3g", e.value);
@@ -196,9 +201,9 @@ static void write_needs(FILE *file, const lobe_app_comparison *c, int base) {
             continue;
         }
         fputs("needs ", file);
-        write_estimate(file, samples, 0, 100);
+        write_percent(file, samples);
         fputs("&nbsp;% of the samples and ", file);
-        write_estimate(file, lobe_app_need(c, m, base, LOBE_APP_AXIS_TIME), 0, 100);
+        write_percent(file, lobe_app_need(c, m, base, LOBE_APP_AXIS_TIME));
         fputs("&nbsp;% of the time of ", file);
         lobe_app_write_html(file, c->contender[base].name);
     }
@@ -228,8 +233,9 @@ static void write_head(FILE *file, const lobe_app_comparison *c) {
     snprintf(style, sizeof style, "%s%s", lobe_app_chart_style, STYLE);
     snprintf(text, sizeof text, "lobe compare: %s", c->title);
     lobe_app_begin_html(file, text, style);
+    const char *slash = strrchr(c->title, '/');
     fputs("<h1>", file);
-    lobe_app_write_html(file, c->title);
+    lobe_app_write_html(file, slash && slash[1] ? slash + 1 : c->title);
     fputs("</h1><p class=head>", file);
     lobe_app_headline(c, text, sizeof text);
     lobe_app_write_html(file, text);
@@ -300,8 +306,7 @@ static void write_curve(FILE *file, const lobe_app_comparison *c, lobe_app_axis 
         for (int n = 0; n < c->sizes; n++) {
             const lobe_app_cell *cell = &c->cell[m][n];
             const lobe_app_estimate e = lobe_app_relmse(cell);
-            const double x =
-                axis == LOBE_APP_AXIS_SAMPLES ? cell->spp : lobe_app_median_seconds(cell);
+            const double x = axis == LOBE_APP_AXIS_SAMPLES ? cell->spp : lobe_app_cpu_seconds(cell);
             if (!cell->count || !(e.value > 0) || !(x > 0)) continue;
             s->x[s->count] = x;
             s->y[s->count] = e.value;
@@ -309,7 +314,7 @@ static void write_curve(FILE *file, const lobe_app_comparison *c, lobe_app_axis 
         }
     }
     const bool is_of_samples = axis == LOBE_APP_AXIS_SAMPLES;
-    const lobe_app_chart chart = {is_of_samples ? "samples a pixel" : "seconds", "relMSE",
+    const lobe_app_chart chart = {is_of_samples ? "samples a pixel" : "processor seconds", "relMSE",
                                   is_of_samples, c->contenders, series};
     lobe_app_write_chart(file, &chart);
 }
@@ -532,7 +537,7 @@ static void write_legend(FILE *file, const lobe_app_comparison *c) {
               "<li><b>floor</b>: the squared bias, estimated from pairs of different seeds; it is "
               "called a bias above 5 standard deviations."
               "<li><b>seconds</b>: of the wall clock, median; shares of time are of processor "
-              "time.",
+              "time, and so is the curve.",
               file);
     fputs("</ul>", file);
 }

@@ -89,6 +89,7 @@ lobe_app_estimate lobe_app_relmse(const lobe_app_cell *cell);
 lobe_app_estimate lobe_app_flip(const lobe_app_cell *cell);
 double lobe_app_rejected_share(const lobe_app_cell *cell);
 double lobe_app_median_seconds(const lobe_app_cell *cell);
+double lobe_app_cpu_seconds(const lobe_app_cell *cell);
 double lobe_app_rays_per_second(const lobe_app_cell *cell);
 
 /* d log relmse / d log samples; the error of an unbiased method falls with -1. NAN: fewer than two sizes. */

@@ -72,6 +72,10 @@ double lobe_app_median_seconds(const lobe_app_cell *cell) {
     return 0.5 * (seconds[(cell->count - 1) / 2] + seconds[cell->count / 2]);
 }
 
+double lobe_app_cpu_seconds(const lobe_app_cell *cell) {
+    return mean_without(cell, RUN_AT(cpu_seconds), -1);
+}
+
 double lobe_app_rays_per_second(const lobe_app_cell *cell) {
     return mean_without(cell, RUN_AT(rays), -1) / mean_without(cell, RUN_AT(seconds), -1);
 }
