@@ -1,10 +1,9 @@
 #include "false_colour.h"
 
 #include <math.h>
-#include <stdint.h>
 #include <stdlib.h>
 
-#include <stb/stb_image_write.h>
+#include "page.h"
 
 typedef struct colour {
     float red, green, blue;
@@ -42,30 +41,18 @@ static void paint(uint8_t *pixel, float value, lobe_app_ramp ramp, float most) {
     pixel[3] = 255;
 }
 
-static void write_base64(void *context, void *data, int size) {
-    static const char DIGITS[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    const uint8_t *bytes = data;
-    FILE *file = context;
-    for (int i = 0; i < size; i += 3) {
-        int left = size - i;
-        uint32_t word = (uint32_t)bytes[i] << 16;
-        if (left > 1) word |= (uint32_t)bytes[i + 1] << 8;
-        if (left > 2) word |= bytes[i + 2];
-        fputc(DIGITS[word >> 18], file);
-        fputc(DIGITS[word >> 12 & 63], file);
-        fputc(left > 1 ? DIGITS[word >> 6 & 63] : '=', file);
-        fputc(left > 2 ? DIGITS[word & 63] : '=', file);
-    }
+uint8_t *lobe_app_false_colour(const float *values, int width, int height, lobe_app_ramp ramp,
+                               float most) {
+    const size_t count = (size_t)width * (size_t)height;
+    uint8_t *pixels = calloc(count, 4);
+    for (size_t i = 0; pixels && i < count; ++i) paint(pixels + 4 * i, values[i], ramp, most);
+    return pixels;
 }
 
 bool lobe_app_write_false_colour(FILE *file, const float *values, int size, lobe_app_ramp ramp,
                                  float most) {
-    uint8_t *pixels = calloc((size_t)size * (size_t)size, 4);
-    if (!pixels) return false;
-    for (int i = 0; i < size * size; ++i) paint(pixels + 4 * i, values[i], ramp, most);
-    fputs("data:image/png;base64,", file);
-    /* The writer hands over the whole file in one call, so the padding stands at its end. */
-    const int is_good = stbi_write_png_to_func(write_base64, file, size, size, 4, pixels, 4 * size);
+    uint8_t *pixels = lobe_app_false_colour(values, size, size, ramp, most);
+    const bool is_good = pixels && lobe_app_write_png_uri(file, pixels, size, size, 4);
     free(pixels);
-    return is_good != 0;
+    return is_good;
 }

@@ -21,6 +21,7 @@ static const struct {
     {"verify", lobe_app_verify, "prove models and methods by statistics"},
     {"bench", lobe_app_bench, "time every model"},
     {"render", lobe_app_render, "path-trace a scene"},
+    {"compare", lobe_app_compare, "tell which method is better on a scene, or pictures apart"},
 };
 
 enum { COMMANDS = sizeof commands / sizeof commands[0] };
@@ -33,7 +34,7 @@ static lobe_app_status print_help(void) {
     lobe_app_print("\n  --help    this page; lobe COMMAND --help has the options\n"
                    "  --version the version, and the instruction set in use\n\n"
                    "Exit status: 0 done, 1 failed while running, 2 bad usage or input,\n"
-                   "3 a verification did not hold, 130 interrupted.\n\n"
+                   "3 a verification or comparison did not hold, 130 interrupted.\n\n"
                    "Example\n  lobe sample --alpha 0.3 --wi 0.6,0,0.8 --count 5\n");
     return LOBE_APP_DONE;
 }

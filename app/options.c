@@ -133,8 +133,13 @@ static lobe_app_status take_operand(const lobe_app_command *command, const char 
     snprintf(hint, sizeof hint, "see lobe %s --help", command->name);
     if (!command->operand || *text == '\0')
         return lobe_app_reject(*text ? text : "''", hint, "unexpected argument");
-    if (arguments->operand) return lobe_app_reject(text, hint, "a second %s", command->operand);
-    arguments->operand = text;
+    const bool is_list = strstr(command->operand, "...") != NULL;
+    if (!is_list && arguments->operand)
+        return lobe_app_reject(text, hint, "a second %s", command->operand);
+    if (arguments->operand_count == LOBE_APP_OPERANDS_MAX)
+        return lobe_app_reject(text, hint, "more than %d arguments", LOBE_APP_OPERANDS_MAX);
+    arguments->operands[arguments->operand_count++] = text;
+    arguments->operand = arguments->operands[0];
     return LOBE_APP_DONE;
 }
 

@@ -33,15 +33,17 @@ typedef struct lobe_app_command {
     const char *name;
     const char *usage; /* what follows the name */
     const char *about;
-    const char *operand;          /* "SCENE"; NULL: the command takes none */
+    const char *operand;          /* "SCENE"; "PICTURE...": several; NULL: the command takes none */
     const lobe_app_group *groups; /* a title of NULL at the end */
     const char *example;
 } lobe_app_command;
 
-enum { LOBE_APP_OPTIONS_MAX = 64 };
+enum { LOBE_APP_OPTIONS_MAX = 64, LOBE_APP_OPERANDS_MAX = 64 };
 
 typedef struct lobe_app_arguments {
-    const char *operand;                     /* NULL: not given */
+    const char *operand; /* the first; NULL: not given */
+    const char *operands[LOBE_APP_OPERANDS_MAX];
+    int operand_count;
     const char *given[LOBE_APP_OPTIONS_MAX]; /* names of the options given, NULL at the end */
     bool is_answered;                        /* --help was asked for and printed */
 } lobe_app_arguments;

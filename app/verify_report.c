@@ -17,16 +17,8 @@ enum { MOST_PICTURES = 48 };
 static const float MOST_DEVIATIONS = 5;
 
 static const char STYLE[] =
-    ":root{color-scheme:light dark;--back:#fbfbfa;--text:#1c1c1e;--soft:#6b6b70;--line:#dddcd8;"
-    "--card:#fff;--ok:#1f7a3d;--bad:#b3261e;--known:#8a5a00;--curve:#3c5fc4}"
-    "@media(prefers-color-scheme:dark){:root{--back:#151517;--text:#ececee;--soft:#9b9ba3;"
-    "--line:#34343a;--card:#1e1e22;--ok:#6fce8f;--bad:#ff8a80;--known:#e6b85c;--curve:#8fb0ff}}"
-    "*{box-sizing:border-box}body{margin:0 auto;max-width:68rem;padding:1.2rem 1rem 4rem;"
-    "background:var(--back);color:var(--text);font:16px/1.5 system-ui,sans-serif}"
-    "h1{font-size:1.5rem;margin:.2rem 0}h2{font-size:1.2rem;margin:2.2rem 0 .6rem}"
-    "h3{font-size:1rem;margin:0 0 .5rem;overflow-wrap:anywhere}p{margin:.4rem 0}"
-    ".soft,figcaption{color:var(--soft);font-size:.86rem}.ok{color:var(--ok)}"
-    ".FAILED{color:var(--bad);font-weight:600}.known{color:var(--known);font-weight:600}"
+    ".ok{color:var(--ok)}.FAILED{color:var(--bad);font-weight:600}"
+    ".known{color:var(--known);font-weight:600}"
     ".sum{display:flex;flex-wrap:wrap;gap:.6rem;margin:1rem 0}.sum span{border:1px solid "
     "var(--line);"
     "border-radius:.5rem;padding:.3rem .8rem;background:var(--card)}"
@@ -34,40 +26,12 @@ static const char STYLE[] =
     "margin:1rem 0}.row{display:grid;grid-template-columns:repeat(auto-fit,minmax(5.6rem,1fr));"
     "gap:.7rem;margin-bottom:.5rem}.pair{display:grid;grid-template-columns:repeat(auto-fit,minmax("
     "min(20rem,100%),"
-    "1fr));gap:.8rem}figure{margin:0}figure img{width:100%;max-width:20rem;display:block;"
+    "1fr));gap:.8rem}figure img{width:100%;max-width:20rem;display:block;"
     "image-rendering:pixelated}figure svg{width:100%;max-width:26rem;height:auto;display:block}"
-    ".wide{overflow-x:auto}table{border-collapse:collapse;width:100%;font-size:.84rem;"
-    "font-variant-numeric:tabular-nums}td,th{text-align:left;padding:.22rem .7rem .22rem 0;"
-    "border-bottom:1px solid var(--line);vertical-align:top}td.n{white-space:nowrap}"
-    "summary{cursor:pointer;padding:.3rem 0}svg text{fill:var(--soft);font-size:11px}"
-    "svg .axis{stroke:var(--line)}svg .curve{stroke:var(--curve);fill:none;stroke-width:2}"
+    "svg .curve{stroke:var(--curve);fill:none;stroke-width:2}"
     "svg .dot{fill:var(--text)}svg .bar{stroke:var(--text)}"
-    ".key{display:inline-block;height:.7rem;width:7rem;border-radius:.2rem;vertical-align:-.05rem}"
-    ".amount{background:linear-gradient(90deg,#0e1030,#342676,#70308c,#b23e78,#e26456,#f89e46,"
-    "#fcdc74,#fffcd8)}"
     ".sign{background:linear-gradient(90deg,#0a3678,#4084c6,#a0c8e2,#f6f6f6,#f4b696,#d45846,"
     "#7c0c24)}";
-
-static void write_text(FILE *file, const char *text) {
-    for (; *text; ++text) {
-        switch (*text) {
-        case '<':
-            fputs("&lt;", file);
-            break;
-        case '>':
-            fputs("&gt;", file);
-            break;
-        case '&':
-            fputs("&amp;", file);
-            break;
-        case '"':
-            fputs("&quot;", file);
-            break;
-        default:
-            fputc(*text, file);
-        }
-    }
-}
 
 static const char *verdict(const lobe_verify_test *test) {
     return test->passed ? "ok" : test->is_known ? "known" : "FAILED";
@@ -92,13 +56,8 @@ static void free_text(lobe_app_text *text) {
 lobe_app_status lobe_app_begin_page(lobe_app_page *page, const char *path) {
     *page = (lobe_app_page){.path = path};
     if (!path) return LOBE_APP_DONE;
-    const int length = snprintf(page->part, sizeof page->part, "%s.part", path);
-    errno = ENAMETOOLONG;
-    if (length < (int)sizeof page->part) page->file = fopen(page->part, "wb");
-    if (!page->file) {
-        lobe_app_report(path, "choose another file", "cannot write: %s", strerror(errno));
-        return LOBE_APP_FAILED;
-    }
+    const lobe_app_status status = lobe_app_begin_file(&page->file, path);
+    if (status) return status;
     begin_text(&page->rows);
     begin_text(&page->failures);
     begin_text(&page->cases);
@@ -109,17 +68,17 @@ lobe_app_status lobe_app_begin_page(lobe_app_page *page, const char *path) {
 /* The last columns of a row. */
 static void write_result(FILE *file, const lobe_verify_test *test) {
     fputs("<td class=n>", file);
-    write_text(file, test->test);
+    lobe_app_write_html(file, test->test);
     fprintf(file, "<td class=n>%s %.3g<td class=n>%s %.3g<td>",
             test->kind == LOBE_VERIFY_P_VALUE ? "p" : "error", test->value,
             test->kind == LOBE_VERIFY_P_VALUE ? "&ge;" : "&le;", test->limit);
-    write_text(file, test->detail);
+    lobe_app_write_html(file, test->detail);
     fputc('\n', file);
 }
 
 static void write_row(FILE *file, const lobe_verify_test *test) {
     fprintf(file, "<tr><td class=%s>%s<td class=n>", verdict(test), verdict(test));
-    write_text(file, test->configuration);
+    lobe_app_write_html(file, test->configuration);
     write_result(file, test);
 }
 
@@ -128,7 +87,7 @@ static void begin_model(lobe_app_page *page, const char *model) {
     const bool is_first = !*page->model;
     fprintf(file, "%s<details%s><summary>", is_first ? "" : "</table></div></details>",
             is_first ? " open" : "");
-    write_text(file, model);
+    lobe_app_write_html(file, model);
     fputs("</summary><div class=wide><table><tr><th>verdict<th>configuration<th>test<th>value"
           "<th>limit<th>what was compared",
           file);
@@ -159,9 +118,9 @@ void lobe_app_add_test(lobe_app_page *page, const lobe_verify_test *test) {
     if (test->passed) return;
     FILE *file = page->failures.stream;
     fprintf(file, "<tr><td class=%s>%s<td>", verdict(test), verdict(test));
-    write_text(file, test->model);
+    lobe_app_write_html(file, test->model);
     fputs("<td class=n>", file);
-    write_text(file, test->configuration);
+    lobe_app_write_html(file, test->configuration);
     write_result(file, test);
 }
 
@@ -277,9 +236,9 @@ void lobe_app_add_picture(lobe_app_page *page, const lobe_verify_picture *pictur
     page->pictures += 1;
     const float most = brightest(picture);
     fputs("<section class=case><h3>", file);
-    write_text(file, picture->model);
+    lobe_app_write_html(file, picture->model);
     fputs("<br><span class=soft>", file);
-    write_text(file, picture->configuration);
+    lobe_app_write_html(file, picture->configuration);
     fputs("</span></h3><div class=row>", file);
     write_figure(file, picture, picture->observed, LOBE_APP_RAMP_AMOUNT, most, "observed");
     write_figure(file, picture, picture->expected, LOBE_APP_RAMP_AMOUNT, most, "expected");
@@ -302,21 +261,18 @@ void lobe_app_add_picture(lobe_app_page *page, const lobe_verify_picture *pictur
 
 static void write_head(FILE *file, const lobe_app_page_head *head,
                        const lobe_verify_summary *summary) {
-    fprintf(file,
-            "<!DOCTYPE html>\n<html lang=en><meta charset=utf-8>"
-            "<meta name=viewport content=\"width=device-width,initial-scale=1\">"
-            "<title>lobe verify</title><style>%s</style>\n<h1>lobe verify",
-            STYLE);
+    lobe_app_begin_html(file, "lobe verify", STYLE);
+    fputs("<h1>lobe verify", file);
     if (head->plugin) {
         fputs(": ", file);
-        write_text(file, head->plugin);
+        lobe_app_write_html(file, head->plugin);
     }
     fprintf(file, "</h1><p class=soft>lobe %s, %s, ", LOBE_VERSION_STRING, head->level);
     if (head->draws) fprintf(file, "%" PRIu64 " draws a case, ", head->draws);
     fprintf(file, "seed %" PRIu64, head->seed);
     if (head->only) {
         fputs(", only ", file);
-        write_text(file, head->only);
+        lobe_app_write_html(file, head->only);
     }
     fprintf(file,
             "</p><div class=sum><span><b>%" PRIu64 "</b> cases</span><span class=ok><b>%" PRIu64
@@ -381,18 +337,11 @@ lobe_app_status lobe_app_finish_page(lobe_app_page *page, const lobe_app_page_he
                                      const lobe_verify_summary *summary) {
     if (!page->path) return LOBE_APP_DONE;
     errno = ENOMEM;
-    bool is_good = end_texts(page);
+    const bool is_good = end_texts(page);
     if (is_good && summary) {
-        write_head(page->file, head, summary);
-        write_body(page->file, page, summary);
-        is_good = !ferror(page->file);
+        write_head(page->file.stream, head, summary);
+        write_body(page->file.stream, page, summary);
     }
-    is_good = fclose(page->file) == 0 && is_good;
     release(page);
-    if (is_good && summary && rename(page->part, page->path) == 0) return LOBE_APP_DONE;
-    const int why = errno;
-    remove(page->part);
-    if (is_good && !summary) return LOBE_APP_DONE;
-    lobe_app_report(page->path, "choose another file", "cannot write: %s", strerror(why));
-    return LOBE_APP_FAILED;
+    return lobe_app_finish_file(&page->file, summary != NULL, is_good);
 }

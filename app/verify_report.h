@@ -7,7 +7,7 @@
 
 #include <lobe/verify.h>
 
-#include "report.h"
+#include "page.h"
 
 /* A text that grows. */
 typedef struct lobe_app_text {
@@ -18,8 +18,7 @@ typedef struct lobe_app_text {
 
 typedef struct lobe_app_page {
     const char *path; /* NULL: no page is wanted */
-    char part[4096];  /* where it is written until it is whole */
-    FILE *file;
+    lobe_app_file file;
     lobe_app_text rows, failures, cases; /* made while the run goes on */
     lobe_app_text tests;                 /* of the present case */
     int pictures, left_out;

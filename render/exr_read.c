@@ -61,6 +61,22 @@ static exr_result_t decode_lines(exr_context_t file, exr_attr_box2i_t window, im
     return status;
 }
 
+/* Names of the channels that make a colour, as bits: R 1, G 2, B 4, Y 8; 0 if there is no list. */
+static unsigned colour_channels(exr_context_t file) {
+    const exr_attr_chlist_t *channels;
+    unsigned found = 0;
+    if (exr_get_channels(file, 0, &channels) != EXR_ERR_SUCCESS) return 0;
+    for (int i = 0; i < channels->num_channels; i++) {
+        const int component = component_of(channels->entries[i].name.str);
+        if (component >= 0) found |= 1u << component;
+    }
+    return found;
+}
+
+static int has_colour(unsigned channels) {
+    return (channels & 7u) == 7u || (channels & 8u) != 0;
+}
+
 /* What the core decodes without help: scan lines, R G B or Y in full resolution, no DWA. */
 static int core_can_read(exr_context_t file) {
     exr_storage_t storage;
@@ -71,13 +87,12 @@ static int core_can_read(exr_context_t file) {
         compression == EXR_COMPRESSION_DWAA || compression == EXR_COMPRESSION_DWAB ||
         exr_get_channels(file, 0, &channels) != EXR_ERR_SUCCESS)
         return 0;
-    unsigned found = 0;
     for (int i = 0; i < channels->num_channels; i++) {
         const exr_attr_chlist_entry_t *entry = &channels->entries[i];
         int component = component_of(entry->name.str);
         if (component >= 0 && (entry->x_sampling != 1 || entry->y_sampling != 1)) return 0;
-        if (component >= 0) found |= 1u << component;
     }
+    const unsigned found = colour_channels(file);
     return found == 7u || found == 8u;
 }
 
@@ -137,6 +152,11 @@ lobe_render_result lobe_image_read_exr(const char *path, image *picture) {
         return lobe_fail(LOBE_RENDER_BAD_INPUT,
                          "%s: not an OpenEXR picture that can be read (%s); is it complete?", path,
                          exr_get_default_error_message(status));
+    if (!has_colour(colour_channels(file))) {
+        exr_finish(&file);
+        return lobe_fail(LOBE_RENDER_BAD_INPUT,
+                         "%s: no channels R, G and B, and no Y; give a picture with colours", path);
+    }
     exr_attr_box2i_t window;
     if (!core_can_read(file) || exr_get_data_window(file, 0, &window) != EXR_ERR_SUCCESS) {
         exr_finish(&file);

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "image.h"
+#include "lobe/metrics.h"
 #include "message.h"
 
 /* Channels that come from the sums of the first hit. */
@@ -105,43 +106,53 @@ int lobe_film_copy_aov(const lobe_film *film, lobe_aov aov, float *values) {
     return 1;
 }
 
+lobe_render_result lobe_film_from_rgb(const float *rgb, int width, int height, lobe_film **film) {
+    *film = lobe_film_create(width, height, 0);
+    for (size_t i = 0; *film && i < (size_t)width * (size_t)height; i++)
+        lobe_film_add(*film, i,
+                      &(film_sample){.radiance = v3(rgb[3 * i], rgb[3 * i + 1], rgb[3 * i + 2])});
+    return *film ? LOBE_RENDER_OK : lobe_fail_memory("picture");
+}
+
+static size_t count_not_finite(const image *picture) {
+    size_t count = 0;
+    for (size_t i = 0; i < (size_t)picture->width * (size_t)picture->height; i++)
+        count += !v3_is_finite(picture->pixels[i]);
+    return count;
+}
+
 lobe_render_result lobe_film_read(const char *path, lobe_film **film) {
     *film = NULL;
     image picture;
-    lobe_render_result result = lobe_image_read(path, &picture, NULL);
+    lobe_render_result result = lobe_image_decode(path, &picture);
     if (result != LOBE_RENDER_OK) return result;
-    *film = lobe_film_create(picture.width, picture.height, 0);
-    for (size_t i = 0; *film && i < (size_t)picture.width * (size_t)picture.height; i++)
-        lobe_film_add(*film, i, &(film_sample){.radiance = picture.pixels[i]});
+    const size_t bad = count_not_finite(&picture);
+    if (bad)
+        result = lobe_fail(LOBE_RENDER_BAD_INPUT,
+                           "%s: %zu pixels are infinite or no number; an error of it would be too",
+                           path, bad);
+    else
+        result = lobe_film_from_rgb(&picture.pixels->x, picture.width, picture.height, film);
     lobe_image_free(&picture);
-    return *film ? LOBE_RENDER_OK : lobe_fail_memory(path);
+    return result;
 }
 
 lobe_render_result lobe_film_compare(const lobe_film *film, const lobe_film *reference,
-                                     lobe_film_difference *difference) {
-    *difference = (lobe_film_difference){0};
+                                     lobe_picture_difference *difference) {
+    *difference = (lobe_picture_difference){0};
     if (film->width != reference->width || film->height != reference->height)
         return lobe_fail(LOBE_RENDER_BAD_INPUT,
                          "compare: sizes differ, %d x %d and %d x %d; render both at one size",
                          film->width, film->height, reference->width, reference->height);
-    size_t count = (size_t)film->width * (size_t)film->height;
-    double squares = 0.0;
-    for (size_t i = 0; i < count; i++) {
-        vec3 mean_a = lobe_film_mean(film, i), mean_b = lobe_film_mean(reference, i);
-        const double a[3] = {mean_a.x, mean_a.y, mean_a.z}, b[3] = {mean_b.x, mean_b.y, mean_b.z};
-        for (int c = 0; c < 3; c++) {
-            double squared = (a[c] - b[c]) * (a[c] - b[c]);
-            squares += squared;
-            difference->relative_mse += squared / (b[c] * b[c] + 0.01);
-            difference->mean += a[c];
-            difference->mean_reference += b[c];
-            difference->largest = fmax(difference->largest, fabs(a[c] - b[c]));
-        }
+    const size_t count = (size_t)film->width * (size_t)film->height;
+    float *rgb[2] = {malloc(3 * count * sizeof(float)), malloc(3 * count * sizeof(float))};
+    const int ok = rgb[0] && rgb[1];
+    if (ok) {
+        lobe_film_copy_rgb(film, rgb[0]);
+        lobe_film_copy_rgb(reference, rgb[1]);
+        *difference = lobe_compare_pictures(rgb[0], rgb[1], count);
     }
-    double channels = 3.0 * (double)count;
-    difference->rmse = sqrt(squares / channels);
-    difference->relative_mse /= channels;
-    difference->mean /= channels;
-    difference->mean_reference /= channels;
-    return LOBE_RENDER_OK;
+    free(rgb[0]);
+    free(rgb[1]);
+    return ok ? LOBE_RENDER_OK : lobe_fail_memory("compare");
 }

@@ -119,7 +119,7 @@ static size_t repair(image *picture) {
     return repaired;
 }
 
-lobe_render_result lobe_image_read(const char *path, image *picture, size_t *repaired) {
+lobe_render_result lobe_image_decode(const char *path, image *picture) {
     *picture = (image){0, 0, NULL};
     struct stat status;
     if (stat(path, &status) != 0)
@@ -133,11 +133,14 @@ lobe_render_result lobe_image_read(const char *path, image *picture, size_t *rep
         result = lobe_image_read_pfm(path, picture);
     else
         result = read_stb(path, picture);
-    if (result != LOBE_RENDER_OK) {
-        lobe_image_free(picture);
-        return result;
-    }
-    size_t count = repair(picture);
+    if (result != LOBE_RENDER_OK) lobe_image_free(picture);
+    return result;
+}
+
+lobe_render_result lobe_image_read(const char *path, image *picture, size_t *repaired) {
+    const lobe_render_result result = lobe_image_decode(path, picture);
+    if (result != LOBE_RENDER_OK) return result;
+    const size_t count = repair(picture);
     if (repaired) *repaired = count;
     return LOBE_RENDER_OK;
 }

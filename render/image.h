@@ -16,8 +16,11 @@ typedef struct image {
 int lobe_image_create(image *picture, int width, int height);
 void lobe_image_free(image *picture);
 
-/* Read .exr, .hdr, .pfm or what stb_image reads (8 bit: sRGB). Values that are not finite or negative
- * become 0; *repaired counts them (may be NULL). */
+/* Read .exr, .hdr, .pfm or what stb_image reads (8 bit: sRGB), as the file has it. */
+lobe_render_result lobe_image_decode(const char *path, image *picture);
+
+/* The same, to light or to paint with: values that are not finite or negative become 0; *repaired counts
+ * them (may be NULL). */
 lobe_render_result lobe_image_read(const char *path, image *picture, size_t *repaired);
 
 /* One file format each. */

@@ -14,6 +14,7 @@ MAY_INCLUDE = {
     "kernel": set(),
     "lib": {"include", "kernel"},
     "verify": {"include"},
+    "metrics": {"include"},
     "render": {"include"},
     "ssr": {"include"},
     "app": {"include"},

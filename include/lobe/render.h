@@ -48,6 +48,7 @@
 #include <signal.h>
 #include <stddef.h>
 
+#include "metrics.h"
 #include "reflection.h"
 #include "types.h"
 
@@ -273,20 +274,17 @@ LOBE_API int lobe_film_can_write(const char *path);
 LOBE_API lobe_render_result lobe_film_write(const lobe_film *film, const char *path,
                                             lobe_film_write_options options);
 
-/* Read .exr, .hdr or .pfm (colour only) to compare with. To be freed by lobe_film_free. */
-LOBE_API lobe_render_result lobe_film_read(const char *path, lobe_film **film);
+/* A film of width * height * 3 floats, rows from the top. To be freed by lobe_film_free. */
+LOBE_API lobe_render_result lobe_film_from_rgb(const float *rgb, int width, int height,
+                                               lobe_film **film);
 
-typedef struct lobe_film_difference {
-    double rmse;           /* root of the mean squared difference of all channels */
-    double relative_mse;   /* mean of (a - b)^2 / (b^2 + 0.01), b the reference */
-    double mean;           /* of all channels of the film, */
-    double mean_reference; /* and of the reference */
-    double largest;        /* greatest absolute difference */
-} lobe_film_difference;
+/* Read .exr, .hdr, .pfm or 8-bit pictures as sRGB (colour only) to compare with; refused if a value is not
+ * finite. To be freed by lobe_film_free. */
+LOBE_API lobe_render_result lobe_film_read(const char *path, lobe_film **film);
 
 /* Difference of `film` from `reference`; LOBE_RENDER_BAD_INPUT if their sizes differ. */
 LOBE_API lobe_render_result lobe_film_compare(const lobe_film *film, const lobe_film *reference,
-                                              lobe_film_difference *difference);
+                                              lobe_picture_difference *difference);
 
 LOBE_END_C
 

@@ -95,7 +95,7 @@ static void films_are_written_whole_and_read_back(void **state) {
         assert_int_equal(lobe_film_write(film, names[k], w), LOBE_RENDER_OK);
         lobe_film *back = NULL;
         assert_int_equal(lobe_film_read(names[k], &back), LOBE_RENDER_OK);
-        lobe_film_difference d;
+        lobe_picture_difference d;
         assert_int_equal(lobe_film_compare(back, film, &d), LOBE_RENDER_OK);
         assert_true(d.largest < 1e-6 && d.mean > 0);
         lobe_film_free(back);

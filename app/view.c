@@ -1,0 +1,149 @@
+#include "view.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "interrupt.h"
+#include "number.h"
+
+static const char *const heuristics[] = {"balance", "power", "bsdf-only", "light-only", NULL};
+static const char *const multiscatters[] = {"none", "kulla-conty", "turquin", "walk", NULL};
+
+static bool read_size(const lobe_app_option *option, const char *text, void *value) {
+    lobe_app_size *size = value;
+    char extra;
+    if (strspn(text, "0123456789x") == strlen(text) && strlen(text) < 12 &&
+        sscanf(text, "%dx%d%c", &size->width, &size->height, &extra) == 2)
+        return true;
+    lobe_app_report(option->name, "give pixels as 960x540", "'%.40s' is not a size", text);
+    return false;
+}
+
+static bool read_material(const lobe_app_option *option, const char *text, void *value) {
+    if (lobe_app_read_numbers(text, 5, 5, value) == 5) return true;
+    lobe_app_report(option->name, "give R,G,B,METALLIC,ROUGHNESS, each in [0, 1]",
+                    "'%.60s' is not a material", text);
+    return false;
+}
+
+#define AT(member) offsetof(lobe_app_view, member)
+
+const lobe_app_option lobe_app_camera_options[] = {
+    {"--size", "WxH", "960x540", "in pixels", read_size, AT(size), NULL},
+    {"--camera", "NAME", "the first", "a camera of the file", lobe_app_read_name, AT(camera), NULL},
+    {"--exposure", "EV", "0", "stops, for the written picture", lobe_app_read_f64, AT(exposure),
+     NULL},
+    {0}};
+
+const lobe_app_option lobe_app_scene_options[] = {
+    {"--env", "FILE", "the scene's own light, or a sky", "panorama to light with",
+     lobe_app_read_name, AT(environment), NULL},
+    {"--env-rotate", "DEG", "0", "degrees about +Y", lobe_app_read_f64, AT(rotation), NULL},
+    {"--material", "R,G,B,M,R", "0.8,0.8,0.8,0,0.5",
+     "colour, metallic and roughness of meshes that bring no material", read_material, AT(material),
+     NULL},
+    {"--ground", NULL, NULL, "put a large matte floor below a file's scene", NULL, AT(ground),
+     NULL},
+    {"--strict", NULL, NULL, "a warning is an error", NULL, AT(strict), NULL},
+    {0}};
+
+const lobe_app_option lobe_app_path_options[] = {
+    {"--depth", "N", "8", "greatest number of surface scatterings on a path", lobe_app_read_u64,
+     AT(depth), NULL},
+    {"--seed", "S", "0", "of the random numbers, any whole number", lobe_app_read_u64, AT(seed),
+     NULL},
+    {"--threads", "N", "one a processor", "the picture does not depend on it", lobe_app_read_count,
+     AT(threads), NULL},
+    {"--ndf", "NAME", "ggx", "distribution of normals", lobe_app_read_choice, AT(ndf),
+     lobe_app_ndfs},
+    {"--masking", "NAME", "smith", "masking of the microsurface", lobe_app_read_choice, AT(masking),
+     lobe_app_maskings},
+    {"--floor", "D", "0.25", "method horizon: how much of the density ignores shadowing, in [0, 1]",
+     lobe_app_read_floor, AT(floor), NULL},
+    {"--g2", "NAME", "correlated", "masking and shadowing", lobe_app_read_choice, AT(g2),
+     lobe_app_g2s},
+    {"--normalization", "NAME", "unbiased", "of the densities behind a shading normal",
+     lobe_app_read_choice, AT(normalization), lobe_app_normalizations},
+    {"--multiscatter", "NAME", "none",
+     "what metals and glass scatter more than once: an approximation, or random walks",
+     lobe_app_read_choice, AT(multiscatter), multiscatters},
+    {"--heuristic", "NAME", "balance", "how light and surface samples are combined",
+     lobe_app_read_choice, AT(heuristic), heuristics},
+    {0}};
+
+lobe_app_view lobe_app_default_view(void) {
+    const lobe_render_options r = lobe_render_default_options();
+    return (lobe_app_view){.size = {r.width, r.height},
+                           .depth = (uint64_t)r.depth,
+                           .floor = r.reflection.floor,
+                           .heuristic = (int)r.heuristic,
+                           .material = {0.8, 0.8, 0.8, 0, 0.5}};
+}
+
+lobe_app_status lobe_app_check_view(const lobe_app_view *v) {
+    if (v->depth > 1000000) return lobe_app_reject("--depth", "use 0 to 1000000", "too deep");
+    if (v->threads > 1024) return lobe_app_reject("--threads", "use 1 to 1024", "too many threads");
+    if (!(fabs(v->exposure) <= 100))
+        return lobe_app_reject("--exposure", "use -100 to 100", "out of range");
+    if (!(fabs(v->rotation) <= 36000))
+        return lobe_app_reject("--env-rotate", "use degrees, at most 36000", "out of range");
+    for (int k = 0; k < 5; k++)
+        if (!(v->material[k] >= 0 && v->material[k] <= 1))
+            return lobe_app_reject("--material", "each number lies in [0, 1]", "out of range");
+    if (v->size.width < 1 || v->size.width > LOBE_RENDER_SIZE_MAX || v->size.height < 1 ||
+        v->size.height > LOBE_RENDER_SIZE_MAX)
+        return lobe_app_reject("--size", "use 1x1 to 32768x32768", "out of range");
+    return LOBE_APP_DONE;
+}
+
+lobe_app_status lobe_app_choose_render_model(const lobe_app_view *view, int method,
+                                             lobe_model *model) {
+    const lobe_app_status status = lobe_app_choose_model(view->ndf, view->masking, method, model);
+    /* the choice by surface; any other distribution has one best method */
+    const bool has_choice = view->ndf == LOBE_NDF_GGX && view->masking == LOBE_MASKING_SMITH;
+    if (method == LOBE_METHOD_COUNT && has_choice) model->method = LOBE_METHOD_COUNT;
+    return status;
+}
+
+lobe_render_options lobe_app_view_render_options(const lobe_app_view *v) {
+    lobe_render_options r = lobe_render_default_options();
+    r.reflection.model =
+        (lobe_model){(lobe_ndf)v->ndf, (lobe_masking)v->masking, LOBE_METHOD_COUNT};
+    r.reflection.floor = v->floor;
+    r.reflection.g2 = (lobe_g2)v->g2;
+    r.reflection.normalization = (lobe_normalization)v->normalization;
+    r.width = v->size.width;
+    r.height = v->size.height;
+    r.depth = (int)v->depth;
+    r.seed = v->seed;
+    r.threads = (int)v->threads;
+    r.camera = v->camera;
+    r.heuristic = (lobe_heuristic)v->heuristic;
+    r.multiscatter = (lobe_multiscatter)v->multiscatter;
+    r.cancel = &lobe_app_interrupted;
+    return r;
+}
+
+static void print_warning(void *user, const char *message) {
+    (void)user;
+    lobe_app_report_line(message);
+}
+
+lobe_scene_options lobe_app_view_scene_options(const lobe_app_view *v) {
+    lobe_scene_options s = lobe_scene_default_options();
+    s.environment = v->environment;
+    s.environment_rotation = (float)v->rotation;
+    s.strict = v->strict;
+    s.ground = v->ground;
+    for (int c = 0; c < 3; c++) s.default_base_color[c] = (float)v->material[c];
+    s.default_metallic = (float)v->material[3];
+    s.default_roughness = (float)v->material[4];
+    s.warning = print_warning;
+    return s;
+}
+
+lobe_app_status lobe_app_render_failed(lobe_render_result result) {
+    lobe_app_report_line(lobe_render_error_message());
+    return result == LOBE_RENDER_BAD_INPUT ? LOBE_APP_BAD_INPUT : LOBE_APP_FAILED;
+}
