@@ -1,5 +1,6 @@
 /* app/render.c: `lobe render`: path-trace a scene. */
 #include <errno.h>
+#include <fcntl.h>
 #include <limits.h>
 #include <math.h>
 #include <stdio.h>
@@ -23,15 +24,20 @@ typedef struct picture_size {
     int width, height;
 } picture_size;
 
+typedef struct picture_part {
+    uint32_t part, parts;
+} picture_part;
+
 typedef struct render_values {
-    const char *out, *environment, *camera, *reference;
+    const char *out, *environment, *camera, *reference, *checkpoint, *resume;
     uint64_t spp, depth, seed, threads;
-    double time_limit, exposure, rotation, material[5], floor;
+    picture_part part;
+    double checkpoint_every, noise, time_limit, exposure, rotation, material[5], floor;
     picture_size size;
     uint32_t aovs;
     lobe_model model; /* of ndf, masking and method */
     int ndf, masking, method, g2, normalization, heuristic, multiscatter, progress;
-    bool strict, ground, list_scenes, json;
+    bool strict, ground, list_scenes, json, keep_seconds;
 } render_values;
 
 static const char *const heuristics[] = {"balance", "power", "bsdf-only", "light-only", NULL};
@@ -47,6 +53,18 @@ static bool read_size(const lobe_app_option *option, const char *text, void *val
         sscanf(text, "%dx%d%c", &size->width, &size->height, &extra) == 2)
         return true;
     lobe_app_report(option->name, "give pixels as 960x540", "'%.40s' is not a size", text);
+    return false;
+}
+
+static bool read_part(const lobe_app_option *option, const char *text, void *value) {
+    picture_part *part = value;
+    char extra;
+    if (strspn(text, "0123456789/") == strlen(text) && strlen(text) < 16 &&
+        sscanf(text, "%u/%u%c", &part->part, &part->parts, &extra) == 2 && part->part >= 1 &&
+        part->part <= part->parts && part->parts <= 1000000)
+        return true;
+    lobe_app_report(option->name, "give K/N, as 1/4 to 4/4, N at most 1000000",
+                    "'%.40s' is not a part", text);
     return false;
 }
 
@@ -86,6 +104,9 @@ static const lobe_app_option picture_options[] = {
     {"--time", "S", "none",
      "seconds after which to stop with what is finished, if --spp is not reached before",
      lobe_app_read_f64, AT(time_limit), NULL},
+    {"--noise", "LEVEL", "none",
+     "stop when the estimated relative standard error of the pixels is at most this, as 0.05",
+     lobe_app_read_f64, AT(noise), NULL},
     {"--depth", "N", "8", "greatest number of surface scatterings on a path", lobe_app_read_u64,
      AT(depth), NULL},
     {"--seed", "S", "0", "of the random numbers, any whole number", lobe_app_read_u64, AT(seed),
@@ -97,6 +118,20 @@ static const lobe_app_option picture_options[] = {
     {"--aov", "LIST", "none", "more channels for .exr, with commas between:" AOV_NAMES, read_aovs,
      AT(aovs), NULL},
     {"--camera", "NAME", "the first", "a camera of the file", lobe_app_read_name, AT(camera), NULL},
+    {0}};
+
+static const lobe_app_option long_options[] = {
+    {"--checkpoint", "FILE", NULL, "keep what is finished in FILE, now and then and at the end",
+     lobe_app_read_name, AT(checkpoint), NULL},
+    {"--checkpoint-every", "S", "60", "seconds from one checkpoint to the next", lobe_app_read_f64,
+     AT(checkpoint_every), NULL},
+    {"--resume", "FILE", NULL,
+     "go on from a checkpoint of the same scene and options, to the same bits; a missing one "
+     "starts "
+     "anew if it is --checkpoint too",
+     lobe_app_read_name, AT(resume), NULL},
+    {"--part", "K/N", "1/1", "render the K-th of N shares of the picture; lobe merge joins them",
+     read_part, AT(part), NULL},
     {0}};
 
 static const lobe_app_option scene_options[] = {
@@ -137,6 +172,9 @@ static const lobe_app_option output_options[] = {
     {"--reference", "FILE", NULL, "print the error against this picture", lobe_app_read_name,
      AT(reference), NULL},
     {"--json", NULL, NULL, "statistics as JSON on standard output", NULL, AT(json), NULL},
+    {"--keep-seconds", NULL, NULL,
+     "write the time taken into the .exr, which makes every file another one", NULL,
+     AT(keep_seconds), NULL},
     LOBE_APP_PROGRESS_OPTION(render_values, progress),
     {0}};
 
@@ -148,6 +186,8 @@ static render_values default_values(void) {
                            .method = LOBE_METHOD_COUNT,
                            .floor = r.reflection.floor,
                            .heuristic = (int)r.heuristic,
+                           .part = {r.part, r.parts},
+                           .checkpoint_every = r.checkpoint_seconds,
                            .material = {0.8, 0.8, 0.8, 0, 0.5}};
 }
 
@@ -177,11 +217,17 @@ static lobe_app_status failed(lobe_render_result result) {
 typedef struct render_run {
     double time_limit; /* seconds; 0: none */
     lobe_app_progress progress;
+    bool has_begun;
 } render_run;
 
 /* Whichever of the samples and the time comes first ends the work. */
 static void show_progress(void *user, const lobe_render_progress *p) {
     render_run *run = user;
+    if (!run->has_begun) {
+        run->has_begun = true;
+        run->progress.fraction_before = p->fraction;
+        run->progress.work_before = (double)p->samples;
+    }
     const double time_share = run->time_limit > 0 ? fmin(p->seconds / run->time_limit, 1) : 0;
     lobe_app_show_progress(&run->progress, fmax(p->fraction, time_share), (double)p->samples);
 }
@@ -206,6 +252,13 @@ static lobe_render_options render_options(const render_values *v, render_run *ru
     r.progress = show_progress;
     r.progress_user = run;
     r.cancel = &lobe_app_interrupted;
+    r.noise = v->noise;
+    r.checkpoint = v->checkpoint;
+    r.checkpoint_seconds = v->checkpoint_every;
+    r.resume = v->resume;
+    r.part = v->part.part;
+    r.parts = v->part.parts;
+    r.warning = print_warning;
     return r;
 }
 
@@ -225,13 +278,14 @@ static lobe_scene_options scene_options_of(const render_values *v) {
 static json_t *json_statistics(const render_values *v, const char *scene,
                                const lobe_render_statistics *st) {
     return json_pack(
-        "{so ss si si si sI si sI sI sI sI so so so}", "scene", lobe_app_json_text(scene), "method",
-        lobe_render_method_name(v->model.method), "width", v->size.width, "height", v->size.height,
-        "spp", (int)st->pixel_samples, "samples", (json_int_t)st->samples, "threads", st->threads,
-        "rays", (json_int_t)st->rays, "draws", (json_int_t)st->ggx_draws, "rejected",
-        (json_int_t)st->ggx_rejected, "dropped", (json_int_t)st->dropped_samples, "rejected_share",
-        lobe_app_json_number(st->rejected_share), "seconds", lobe_app_json_number(st->seconds),
-        "cpu_seconds", lobe_app_json_number(st->cpu_seconds));
+        "{so ss si si si sI si sI sI sI sI so so so so}", "scene", lobe_app_json_text(scene),
+        "method", lobe_render_method_name(v->model.method), "width", v->size.width, "height",
+        v->size.height, "spp", (int)st->pixel_samples, "samples", (json_int_t)st->samples,
+        "threads", st->threads, "rays", (json_int_t)st->rays, "draws", (json_int_t)st->ggx_draws,
+        "rejected", (json_int_t)st->ggx_rejected, "dropped", (json_int_t)st->dropped_samples,
+        "rejected_share", lobe_app_json_number(st->rejected_share), "seconds",
+        lobe_app_json_number(st->seconds), "cpu_seconds", lobe_app_json_number(st->cpu_seconds),
+        "noise", lobe_app_json_number(st->noise));
 }
 
 static json_t *json_error(const lobe_film_difference *d) {
@@ -275,6 +329,7 @@ static lobe_app_status finish_picture(const render_values *v, const char *scene,
     lobe_film_write_options write = lobe_film_default_write_options();
     lobe_film_difference difference = {0};
     write.exposure = (float)v->exposure;
+    write.keep_seconds = v->keep_seconds;
     lobe_render_result result = LOBE_RENDER_OK;
     if (v->out) result = lobe_film_write(film, v->out, write);
     if (result == LOBE_RENDER_OK && reference)
@@ -287,26 +342,38 @@ static lobe_app_status render_scene(const render_values *v, const char *source,
                                     const lobe_scene *scene, const lobe_film *reference) {
     lobe_film *film = NULL;
     lobe_render_statistics statistics;
-    render_run run = {v->time_limit, lobe_app_begin_progress(v->progress, "render", "samples")};
+    render_run run = {v->time_limit, lobe_app_begin_progress(v->progress, "render", "samples"),
+                      false};
     const lobe_render_result result =
         lobe_render(scene, render_options(v, &run), &film, &statistics);
     lobe_app_end_progress(&run.progress);
+    if (!film && result == LOBE_RENDER_OK) return LOBE_APP_DONE; /* rank 0 has it */
     if (!film) return failed(result);
     lobe_app_status status = LOBE_APP_DONE;
     if (statistics.samples > 0) /* else a black picture would replace an older one */
         status = finish_picture(v, source, film, reference, &statistics);
     if (status == LOBE_APP_DONE && result == LOBE_RENDER_INTERRUPTED) status = LOBE_APP_INTERRUPTED;
+    if (status == LOBE_APP_DONE && statistics.has_failed_to_save) status = LOBE_APP_FAILED;
     lobe_film_free(film);
     return status;
+}
+
+/* What one rank cannot do, none does: they would wait for it. */
+static lobe_app_status agree(lobe_app_status status) {
+    const bool is_good = status == LOBE_APP_DONE;
+    const lobe_render_result all =
+        lobe_ranks_agree(is_good ? LOBE_RENDER_OK : LOBE_RENDER_BAD_INPUT);
+    return is_good && all != LOBE_RENDER_OK ? failed(all) : status;
 }
 
 static lobe_app_status render(const render_values *v, const char *source) {
     lobe_film *reference = NULL;
     lobe_scene *scene = NULL;
     lobe_app_catch_interrupt();
-    lobe_app_status status = read_reference(v, &reference);
+    lobe_app_status status = agree(read_reference(v, &reference));
     if (!status) {
-        const lobe_render_result result = lobe_scene_load(source, scene_options_of(v), &scene);
+        const lobe_render_result result =
+            lobe_ranks_agree(lobe_scene_load(source, scene_options_of(v), &scene));
         status =
             result == LOBE_RENDER_OK ? render_scene(v, source, scene, reference) : failed(result);
     }
@@ -318,6 +385,21 @@ static lobe_app_status render(const render_values *v, const char *source) {
 static bool ends_with(const char *path, const char *ending) {
     const size_t length = strlen(path), tail = strlen(ending);
     return length >= tail && strcasecmp(path + length - tail, ending) == 0;
+}
+
+/* Whether a file can be put there. */
+static lobe_app_status check_place(const char *path) {
+    struct stat status;
+    const bool exists = stat(path, &status) == 0;
+    const char *slash = strrchr(path, '/');
+    char folder[PATH_MAX] = ".";
+    if (slash) snprintf(folder, sizeof folder, "%.*s/", (int)(slash - path), path);
+    if (exists && S_ISDIR(status.st_mode))
+        errno = EISDIR;
+    else if (access(folder, W_OK | X_OK) == 0)
+        return LOBE_APP_DONE;
+    lobe_app_report(path, "choose another place", "cannot be written (%s)", strerror(errno));
+    return LOBE_APP_FAILED;
 }
 
 /* What would make the picture impossible to write after all the work. */
@@ -332,23 +414,33 @@ static lobe_app_status check_picture(const render_values *v) {
         ends_with(v->out, ".png"))
         return lobe_app_reject("--size", "end the name with .exr, .hdr or .pfm",
                                "too large for .png");
-    struct stat status;
-    const bool exists = stat(v->out, &status) == 0;
-    const char *slash = strrchr(v->out, '/');
-    char folder[PATH_MAX] = ".";
-    if (slash) snprintf(folder, sizeof folder, "%.*s/", (int)(slash - v->out), v->out);
-    if (exists && S_ISDIR(status.st_mode))
-        errno = EISDIR;
-    else if (access(folder, W_OK | X_OK) == 0)
-        return LOBE_APP_DONE;
-    lobe_app_report(v->out, "choose another place", "cannot be written (%s)", strerror(errno));
-    return LOBE_APP_FAILED;
+    return check_place(v->out);
+}
+
+static lobe_app_status check_checkpoint(const render_values *v) {
+    if (v->checkpoint_every < 0)
+        return lobe_app_reject("--checkpoint-every", "give seconds", "a negative time");
+    if (!v->checkpoint) return LOBE_APP_DONE;
+    if (v->out && strcmp(v->out, v->checkpoint) == 0)
+        return lobe_app_reject("--checkpoint", "give it another name", "it is the picture's file");
+    return check_place(v->checkpoint);
+}
+
+static lobe_app_status check_part(const render_values *v) {
+    if (v->part.parts == 1) return LOBE_APP_DONE;
+    if (v->noise > 0)
+        return lobe_app_reject("--noise", "leave out one of the two",
+                               "a --part does not know the noise of the others");
+    if (v->out && !ends_with(v->out, ".exr"))
+        return lobe_app_reject(v->out, "end the name with .exr, or give --checkpoint",
+                               "cannot say which pixels --part has rendered");
+    return LOBE_APP_DONE;
 }
 
 static lobe_app_status check(const render_values *v, const lobe_app_arguments *arguments) {
     if (!arguments->operand)
         return lobe_app_reject("render", "give a file or a name of --list-scenes", "no scene");
-    if (!v->out && !v->reference && !v->json)
+    if (!v->out && !v->reference && !v->json && !v->checkpoint)
         return lobe_app_reject("-o", "give a file name, as -o picture.png", "no picture to write");
     if (v->aovs && !v->out)
         return lobe_app_reject("--aov", "give -o FILE.exr", "no picture to hold the channels");
@@ -367,22 +459,25 @@ static lobe_app_status check(const render_values *v, const lobe_app_arguments *a
         v->size.height > LOBE_RENDER_SIZE_MAX)
         return lobe_app_reject("--size", "use 1x1 to 32768x32768", "out of range");
     if (v->time_limit < 0) return lobe_app_reject("--time", "give seconds", "a negative time");
-    return v->out ? check_picture(v) : LOBE_APP_DONE;
+    if (v->noise < 0) return lobe_app_reject("--noise", "give 0.05 or so", "a negative noise");
+    lobe_app_status status = check_part(v);
+    if (!status) status = check_checkpoint(v);
+    return !status && v->out ? check_picture(v) : status;
 }
 
-lobe_app_status lobe_app_render(int argc, char **argv) {
+static lobe_app_status run(int argc, char **argv) {
     render_values values = default_values();
-    const lobe_app_group groups[] = {{"Picture", picture_options, &values},
-                                     {"Scene", scene_options, &values},
-                                     {"Method", method_options, &values},
-                                     {"Output", output_options, &values},
-                                     {0}};
+    const lobe_app_group groups[] = {
+        {"Picture", picture_options, &values}, {"Long renders", long_options, &values},
+        {"Scene", scene_options, &values},     {"Method", method_options, &values},
+        {"Output", output_options, &values},   {0}};
     const lobe_app_command command = {"render",
                                       "SCENE -o FILE [OPTIONS]",
                                       "Path-traces a scene: a file (glTF 2.0, OBJ, what else the "
                                       "importer reads) or a built-in one.\n"
                                       "Ctrl-C saves what is finished. The same seed gives the same "
-                                      "picture on any number of threads.",
+                                      "picture on any number of threads\n"
+                                      "and of processes (mpirun -n N lobe render ...).",
                                       "SCENE",
                                       groups,
                                       "lobe render gallery -o gallery.png --spp 64"};
@@ -395,6 +490,22 @@ lobe_app_status lobe_app_render(int argc, char **argv) {
     /* the choice by surface; any other distribution has one best method */
     const bool has_choice = values.ndf == LOBE_NDF_GGX && values.masking == LOBE_MASKING_SMITH;
     if (values.method == LOBE_METHOD_COUNT && has_choice) values.model.method = LOBE_METHOD_COUNT;
-    if ((status = check(&values, &arguments))) return status;
+    if ((status = agree(check(&values, &arguments)))) return status;
     return render(&values, arguments.operand);
+}
+
+/* Only rank 0 has something to say. */
+static bool be_silent(void) {
+    const int file = open("/dev/null", O_WRONLY | O_CLOEXEC);
+    return file >= 0 && dup2(file, STDOUT_FILENO) >= 0 && dup2(file, STDERR_FILENO) >= 0;
+}
+
+lobe_app_status lobe_app_render(int argc, char **argv) {
+    int rank;
+    const lobe_render_result joined = lobe_ranks_join(&rank);
+    if (joined != LOBE_RENDER_OK) return failed(joined);
+    if (rank > 0 && !be_silent()) return LOBE_APP_FAILED;
+    const lobe_app_status status = run(argc, argv);
+    if (!lobe_app_interrupted) lobe_ranks_leave();
+    return status;
 }
