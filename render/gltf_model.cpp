@@ -242,6 +242,12 @@ gltf_material plain(const tinygltf::Material &m) {
     material.anisotropy = number(anisotropy, "anisotropyStrength", 0.0);
     material.anisotropy_rotation = number(anisotropy, "anisotropyRotation", 0.0);
     material.anisotropic = use_of(member(anisotropy, "anisotropyTexture"));
+    const Value *specular = find(m.extensions, "KHR_materials_specular");
+    material.specular = number(specular, "specularFactor", 1.0);
+    std::fill(material.specular_color, material.specular_color + 3, 1.0);
+    numbers(specular, "specularColorFactor", material.specular_color, 3);
+    material.specular_share = use_of(member(specular, "specularTexture"));
+    material.specular_tint = use_of(member(specular, "specularColorTexture"));
     const Value *transmission = find(m.extensions, "KHR_materials_transmission");
     material.transmission = number(transmission, "transmissionFactor", 0.0);
     material.transmissive = use_of(member(transmission, "transmissionTexture"));

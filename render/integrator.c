@@ -134,6 +134,17 @@ static int is_solid(const material *m) {
     return m->transmission > 0.0f && m->thickness > 0.0f;
 }
 
+static coat_tint tint_at(const lobe_scene *s, const hit_point *h) {
+    const material *m = h->material;
+    const texture_map *map = &m->specular_map;
+    float share = m->specular;
+    if (map->texture != NO_TEXTURE)
+        share *= lobe_texture_alpha_at(&s->textures[map->texture], map, h->u[map->uv_set],
+                                       h->v[map->uv_set]);
+    vec3 color = sample_map(s, &m->specular_color_map, h, v3_all(1.0f));
+    return lobe_coat_tint(m->ior, share, v3_mul(m->specular_color, color));
+}
+
 static surface surface_of(const path *p, const hit_point *h, vec3 to_viewer, glass *room) {
     const integrator *k = p->k;
     const material *m = h->material;
@@ -156,6 +167,7 @@ static surface surface_of(const path *p, const hit_point *h, vec3 to_viewer, gla
     if (transmission > 0.0f) metallic /= fmaxf(1.0f - transmission, 1e-6f);
     surface_options options = k->surface;
     options.coat = k->coats[h->triangle->material];
+    options.tint = tint_at(k->scene, h);
     surface s = lobe_surface_at(&options, shading, h->geometric, to_viewer, base_color,
                                 fminf(metallic, 1.0f), roughness, anisotropy, random);
     if (transmission > 0.0f) {

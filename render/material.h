@@ -3,7 +3,7 @@
  * Metal and coat share one GGX: F = metallic * Schlick(base colour) + (1 - metallic) * dielectric.
  * The base gets what the coat lets through (Kelemen & Szirmay-Kalos 2001):
  * f = base (1 - E(i)) (1 - E(o)) / (pi (1 - E_avg)), E the albedo of the coat as the table of coat.h
- * has it, E_avg its exact average. A white dielectric then reflects 1 + (true E - E of the table):
+ * has it, in the channel that reflects most, E_avg its exact average. A white dielectric then reflects 1 + (true E - E of the table):
  * all light, and never more, for the table bounds E from above.
  *
  * What transmits is a share of the surface, beside all of this (glass.h).
@@ -29,8 +29,9 @@ typedef struct surface {
     float metallic;
     float ior;
     coat coat;
+    coat_tint tint;
     float base_share_i;     /* (1 - metallic) (1 - E(i))/(pi (1 - E_avg)); 0: no base */
-    lobe_albedo_f32 albedo; /* of the metal, with F = 1 */
+    lobe_albedo_f32 albedo; /* with F = 1; of the metal's later scatterings and of a tinted coat */
     vec3 rest;              /* colour of the metal's second lobe: its f is rest * (1 - E(o)) */
     vec3 factor;            /* on the metal's first; 0 where it walks */
     float specular;         /* probability of drawing from the GGX */
@@ -54,6 +55,7 @@ typedef struct surface_options {
     lobe_reflection_options ggx;
     const coat_table *coat;
     lobe_multiscatter multiscatter;
+    coat_tint tint;
 } surface_options;
 
 /* `to_viewer`: unit, world, on the front of `geometric`. `random`: of the walks. */

@@ -336,9 +336,10 @@ static lobe_render_result render_with(const coat_table *const *coats, const lobe
               .user = &j,
               .start = lobe_clock(),
               .before.cpu_seconds = -lobe_cpu_clock()};
-    j.integrator = (integrator){scene,          {options->reflection, NULL, options->multiscatter},
-                                coats,          options->heuristic,
-                                options->depth, options->roulette_depth};
+    j.integrator = (integrator){
+        scene,          {.ggx = options->reflection, .multiscatter = options->multiscatter},
+        coats,          options->heuristic,
+        options->depth, options->roulette_depth};
     char identity[IDENTITY_ROOM] = "";
     lobe_render_result result = aim(&j);
     if (result == LOBE_RENDER_OK) {
@@ -368,8 +369,8 @@ lobe_render_result lobe_render(const lobe_scene *scene, lobe_render_options opti
     if (model.ndf != LOBE_NDF_GGX || model.masking != LOBE_MASKING_SMITH)
         options.reflection.model.method = method_or_best(model);
     const coat_table **coats = find_coats(scene, &options.reflection);
-    if (!coats) return lobe_fail_memory(scene->name);
-    result = render_with(coats, scene, &options, film, statistics);
+    result = lobe_ranks_agree(coats ? LOBE_RENDER_OK : lobe_fail_memory(scene->name));
+    if (result == LOBE_RENDER_OK) result = render_with(coats, scene, &options, film, statistics);
     free(coats);
     return result;
 }
