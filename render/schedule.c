@@ -59,6 +59,7 @@ schedule_answer lobe_schedule_next(schedule *s, unit *u) {
         s->passed = least;
         return SCHEDULE_PASS;
     }
+    if (!s->is_stepwise) s->passed = least;
     s->cursor = 0;
     s->target = step_after(s, least);
     /* nobody waits for the slowest tile of a pass */

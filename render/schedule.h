@@ -18,7 +18,8 @@ typedef struct schedule {
     int is_stepwise;         /* no unit of the next pass before the last of this one is delivered */
     uint32_t *done;          /* samples of each tile */
     unsigned char *is_out;   /* tiles that somebody renders */
-    uint32_t out, cursor, target, passed;
+    uint32_t out, cursor, target;
+    uint32_t passed; /* samples that every tile had when a pass was begun last */
 } schedule;
 
 typedef enum schedule_answer {

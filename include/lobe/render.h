@@ -38,7 +38,7 @@
  * refused.
  * Not promised: the bits of a picture from version to version or between processors of different
  * instruction sets (Embree picks its code by the processor). On one machine the same scene, options
- * and seed give the same bits on any number of threads.
+ * and seed give the same bits on any number of threads and processes, in parts and after any interruption.
  *
  * Any function may be called from any thread; one scene may be rendered by several threads at once.
  * A film is used by one thread at a time. */

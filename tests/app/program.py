@@ -3,7 +3,9 @@ import csv
 import os
 import re
 import subprocess
+import tempfile
 import unittest
+from pathlib import Path
 
 PROGRAM = os.environ["LOBE_PROGRAM"]
 ERROR_LINE = re.compile(rb"lobe: [ -~]+: [ -~]+; [ -~]+\n")
@@ -35,6 +37,21 @@ class ProgramTest(unittest.TestCase):
         if where is not None:
             self.assertTrue(result.stderr.startswith(f"lobe: {where}: ".encode()), result.stderr)
         return result
+
+
+class FolderTest(ProgramTest):
+    """With an empty folder of its own."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def path(self, name):
+        return str(self.folder / name)
+
+    def bytes_of(self, name):
+        return (self.folder / name).read_bytes()
 
 
 def main():

@@ -2,34 +2,22 @@
 
 LOBE_KILLS=N in the environment: so many kills instead of 10.
 """
+import array
 import json
 import os
 import random
 import resource
 import signal
 import subprocess
-import tempfile
 import time
-from pathlib import Path
 
-from program import ERROR_LINE, PROGRAM, ProgramTest, main, run
+from program import ERROR_LINE, PROGRAM, FolderTest, main, run
 
 KILLS = int(os.environ.get("LOBE_KILLS", "10"))
 SMALL = ["gallery", "--size", "40x24", "--spp", "20"]
 
 
-class LongTest(ProgramTest):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
-
-    def path(self, name):
-        return str(self.folder / name)
-
-    def bytes_of(self, name):
-        return (self.folder / name).read_bytes()
-
+class LongTest(FolderTest):
     def render(self, name, *arguments):
         """The bytes of the picture."""
         self.done("render", *SMALL, "-o", self.path(name), *arguments)
@@ -174,7 +162,6 @@ class MergeTest(LongTest):
 
     def means(self, name):
         """The numbers of a little-endian .pfm."""
-        import array
         numbers = array.array("f")
         numbers.frombytes(self.bytes_of(name).split(b"\n", 3)[3])
         return numbers
