@@ -54,5 +54,15 @@ class FolderTest(ProgramTest):
         return (self.folder / name).read_bytes()
 
 
+class LongTest(FolderTest):
+    """Small renders that are kept as files."""
+    SMALL = ["cornell", "--size", "40x24", "--spp", "20"]
+
+    def render(self, name, *arguments):
+        """The bytes of the picture."""
+        self.done("render", *self.SMALL, "-o", self.path(name), *arguments)
+        return self.bytes_of(name)
+
+
 def main():
     unittest.main()
