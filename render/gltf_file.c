@@ -20,7 +20,8 @@ int lobe_gltf_knows(const char *extension) {
         "KHR_materials_unlit",        "KHR_materials_emissive_strength",
         "KHR_materials_transmission", "KHR_materials_ior",
         "KHR_materials_volume",       "KHR_materials_specular",
-        "KHR_mesh_quantization",      "KHR_texture_transform",
+        "KHR_materials_clearcoat",    "KHR_mesh_quantization",
+        "KHR_texture_transform",
     };
     for (size_t i = 0; i < sizeof known / sizeof *known; i++)
         if (strcmp(known[i], extension) == 0) return 1;

@@ -148,6 +148,17 @@ static void read_specular(material_reader *k, const gltf_material *from, materia
     m->specular_color_map = read_map(k, &from->specular_tint, 1, needs);
 }
 
+static void read_clearcoat(material_reader *k, const gltf_material *from, material_needs *needs,
+                           material *m) {
+    m->clearcoat = unit(from->clearcoat);
+    if (!(m->clearcoat > 0.0f)) return;
+    m->clearcoat_roughness = unit(from->clearcoat_roughness);
+    m->clearcoat_normal_scale = finite_or(from->clearcoat_normal_scale, 1.0f);
+    m->clearcoat_normal_map = read_map(k, &from->clearcoat_normal, 0, needs);
+    m->clearcoat_map = read_map(k, &from->clearcoat_share, 0, needs);
+    m->clearcoat_roughness_map = read_map(k, &from->clearcoat_rough, 0, needs);
+}
+
 static void read_glass(material_reader *k, const gltf_material *from, material_needs *needs,
                        material *m) {
     const double *color = from->attenuation_color, distance = from->attenuation_distance;
@@ -190,6 +201,7 @@ static material read_material(material_reader *k, const gltf_material *from,
     m.stretch_x = cosf(finite_or(from->anisotropy_rotation, 0.0f));
     m.stretch_y = sinf(finite_or(from->anisotropy_rotation, 0.0f));
     if (m.stretch > 0.0f) m.stretch_map = read_map(k, &from->anisotropic, 0, needs);
+    read_clearcoat(k, from, needs, &m);
     read_specular(k, from, needs, &m);
     read_glass(k, from, needs, &m);
     /* tangents are along the first set, if nothing asks for another one */

@@ -242,6 +242,14 @@ gltf_material plain(const tinygltf::Material &m) {
     material.anisotropy = number(anisotropy, "anisotropyStrength", 0.0);
     material.anisotropy_rotation = number(anisotropy, "anisotropyRotation", 0.0);
     material.anisotropic = use_of(member(anisotropy, "anisotropyTexture"));
+    const Value *clearcoat = find(m.extensions, "KHR_materials_clearcoat");
+    material.clearcoat = number(clearcoat, "clearcoatFactor", 0.0);
+    material.clearcoat_roughness = number(clearcoat, "clearcoatRoughnessFactor", 0.0);
+    const Value *clearcoat_normal = member(clearcoat, "clearcoatNormalTexture");
+    material.clearcoat_normal_scale = number(clearcoat_normal, "scale", 1.0);
+    material.clearcoat_share = use_of(member(clearcoat, "clearcoatTexture"));
+    material.clearcoat_rough = use_of(member(clearcoat, "clearcoatRoughnessTexture"));
+    material.clearcoat_normal = use_of(clearcoat_normal);
     const Value *specular = find(m.extensions, "KHR_materials_specular");
     material.specular = number(specular, "specularFactor", 1.0);
     std::fill(material.specular_color, material.specular_color + 3, 1.0);

@@ -178,10 +178,24 @@ static float glass_share(const surface *s) {
     return s->glass ? s->glass->material.share : 0.0f;
 }
 
-int lobe_surface_is_clear(const surface *s) {
+void lobe_surface_add_clearcoat(surface *s, clearcoat *room, const surface_options *options,
+                                const coat_table *table, frame shading, vec3 to_viewer, float share,
+                                float roughness) {
+    lobe_reflection_options o = options->ggx;
+    o.model.method = method_of(o.model.method, 0.0f, roughness * roughness, 1.0f);
+    *room = lobe_clearcoat_at(&o, table, shading, s->geometric, to_viewer, share, roughness,
+                              v3_luminance(s->base_color));
+    s->clearcoat = room;
+}
+
+static int is_clear_below(const surface *s) {
     float share = glass_share(s);
     if (share > 0.0f && !lobe_glass_is_clear(s->glass)) return 0;
     return share >= 1.0f || (s->ggx.is_mirror && s->specular >= 1.0f);
+}
+
+int lobe_surface_is_clear(const surface *s) {
+    return (!s->clearcoat || s->clearcoat->ggx.is_mirror) && is_clear_below(s);
 }
 
 /* What the GGX alone makes of a direction. */
@@ -226,7 +240,8 @@ static vec3 opaque_value(const surface *s, vec3 direction, float *pdf) {
     return s->walks > 0.0f ? v3_add(value, walk_value(s, wo)) : value;
 }
 
-vec3 lobe_surface_value(const surface *s, vec3 direction, float *pdf) {
+/* Of all below a clear coat. */
+static vec3 value_below(const surface *s, vec3 direction, float *pdf) {
     float share = glass_share(s);
     if (!(share > 0.0f)) return opaque_value(s, direction, pdf);
     vec3 value = v3_scale(lobe_glass_value(s->glass, direction, pdf), share);
@@ -235,6 +250,15 @@ vec3 lobe_surface_value(const surface *s, vec3 direction, float *pdf) {
     vec3 rest = opaque_value(s, direction, &pdf_of_rest);
     *pdf = share * *pdf + (1.0f - share) * pdf_of_rest;
     return v3_add(value, v3_scale(rest, 1.0f - share));
+}
+
+vec3 lobe_surface_value(const surface *s, vec3 direction, float *pdf) {
+    vec3 value = value_below(s, direction, pdf);
+    const clearcoat *c = s->clearcoat;
+    if (!c) return value;
+    float coat_pdf, coat = lobe_clearcoat_value(c, direction, &coat_pdf);
+    *pdf = c->probability * coat_pdf + (1.0f - c->probability) * *pdf;
+    return v3_add(v3_scale(value, c->keeps), v3_all(coat));
 }
 
 static surface_draw rejected(int is_ggx) {
@@ -299,7 +323,12 @@ static surface_draw draw_opaque(const surface *s, float choice, float u1, float 
     return draw_base(s, u1, u2);
 }
 
-/* A draw of one of several lobes, weighed as one of all. Of a point mass nothing else can be drawn, and
+/* A walk has no density to divide by: beside one, every lobe is weighed alone. */
+static int has_walks(const surface *s) {
+    return s->walks > 0.0f || (s->glass && s->glass->walk_once > 0.0f);
+}
+
+/* A draw of the glass or of the rest, weighed as one of both. Of a point mass nothing else can be drawn, and
  * its share is its probability. */
 static surface_draw among_others(const surface *s, surface_draw d, float probability) {
     if (!(d.pdf > 0.0f)) return d;
@@ -307,14 +336,13 @@ static surface_draw among_others(const surface *s, surface_draw d, float probabi
         d.pdf *= probability;
         return d;
     }
-    vec3 value = lobe_surface_value(s, d.direction, &d.pdf);
-    /* a walk has no density to divide by: beside one, every lobe is weighed alone */
-    if (s->walks > 0.0f || s->glass->walk_once > 0.0f) return d;
+    vec3 value = value_below(s, d.direction, &d.pdf);
+    if (has_walks(s)) return d;
     d.weight = d.pdf > 0.0f ? v3_scale(value, 1.0f / d.pdf) : v3_all(0.0f);
     return d;
 }
 
-surface_draw lobe_surface_draw(const surface *s, float choice, float u1, float u2, float side) {
+static surface_draw draw_below(const surface *s, float choice, float u1, float u2, float side) {
     float share = glass_share(s);
     if (!(share > 0.0f)) return draw_opaque(s, choice, u1, u2);
     if (!(choice < share))
@@ -323,4 +351,24 @@ surface_draw lobe_surface_draw(const surface *s, float choice, float u1, float u
     glass_draw g = lobe_glass_draw(s->glass, u1, u2, choice / share, side);
     surface_draw d = {g.direction, g.weight, g.pdf, g.is_point, 1};
     return share < 1.0f ? among_others(s, d, share) : d;
+}
+
+surface_draw lobe_surface_draw(const surface *s, float choice, float u1, float u2, float side) {
+    const clearcoat *c = s->clearcoat;
+    if (!c) return draw_below(s, choice, u1, u2, side);
+    float probability = c->probability;
+    surface_draw d;
+    if (choice < probability) {
+        clearcoat_draw above = lobe_clearcoat_draw(c, u1, u2, choice / probability);
+        d = (surface_draw){above.direction, v3_all(above.weight / probability), above.pdf,
+                           c->ggx.is_mirror, 1};
+    } else {
+        choice = (choice - probability) / (1.0f - probability);
+        d = draw_below(s, choice, u1, u2, side);
+        d.weight = v3_scale(d.weight, c->keeps / (1.0f - probability));
+    }
+    if (!(d.pdf > 0.0f) || d.is_mirror) return d;
+    vec3 value = lobe_surface_value(s, d.direction, &d.pdf);
+    if (!has_walks(s)) d.weight = d.pdf > 0.0f ? v3_scale(value, 1.0f / d.pdf) : v3_all(0.0f);
+    return d;
 }

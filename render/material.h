@@ -6,7 +6,8 @@
  * has it, in the channel that reflects most, E_avg its exact average. A white dielectric then reflects 1 + (true E - E of the table):
  * all light, and never more, for the table bounds E from above.
  *
- * What transmits is a share of the surface, beside all of this (glass.h).
+ * What transmits is a share of the surface, beside all of this (glass.h). A clear coat lies above all of it
+ * (clearcoat.h).
  *
  * What the metal scatters more than once is left out, added as a second lobe (Kulla & Conty 2017), drawn
  * like the base, made up for by a factor (Turquin 2019): lobe/albedo.h; or followed by random walks
@@ -15,6 +16,7 @@
 #ifndef LOBE_RENDER_MATERIAL_H
 #define LOBE_RENDER_MATERIAL_H
 
+#include "clearcoat.h"
 #include "coat.h"
 #include "glass.h"
 #include "lobe/fresnel.h"
@@ -41,6 +43,7 @@ typedef struct surface {
     lobe_ndf ndf;
     lobe_masking masking;
     const glass *glass; /* NULL: none; its share is also the probability of drawing from it */
+    const clearcoat *clearcoat; /* NULL: none */
 } surface;
 
 typedef struct surface_draw {
@@ -67,6 +70,11 @@ surface lobe_surface_at(const surface_options *options, frame shading, vec3 geom
  * which few surfaces need and all would pay for. */
 void lobe_surface_add_glass(surface *s, glass *room, const surface_options *options,
                             glass_material material, vec3 to_viewer, int is_back);
+
+/* Puts a clear coat above all of it, kept in `room`. `table` is that of COAT_IOR. */
+void lobe_surface_add_clearcoat(surface *s, clearcoat *room, const surface_options *options,
+                                const coat_table *table, frame shading, vec3 to_viewer, float share,
+                                float roughness);
 
 /* `side` is read by glass only: reflected or transmitted. */
 surface_draw lobe_surface_draw(const surface *s, float choice, float u1, float u2, float side);

@@ -291,13 +291,13 @@ static lobe_render_result compare_with_first_rank(const char *identity) {
                      d.other);
 }
 
-/* The coat's table of every material, by malloc. A file with very many indices gets the nearest ones. */
+/* The coat's table of every material and of COAT_IOR, by malloc. A file with very many indices gets the nearest ones. */
 static const coat_table **find_coats(const lobe_scene *s, const lobe_reflection_options *o) {
     enum { INDICES_MAX = 64 };
     const coat_table *known[INDICES_MAX], **coats = malloc((s->material_count + 1) * sizeof *coats);
     int count = 0;
-    for (uint32_t i = 0; coats && i < s->material_count; i++) {
-        const float ior = s->materials[i].ior;
+    for (uint32_t i = 0; coats && i <= s->material_count; i++) {
+        const float ior = i < s->material_count ? s->materials[i].ior : COAT_IOR;
         int nearest = 0;
         for (int k = 1; k < count; k++)
             if (fabsf(known[k]->ior - ior) < fabsf(known[nearest]->ior - ior)) nearest = k;

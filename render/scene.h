@@ -23,7 +23,8 @@ typedef struct material {
     float stretch_x, stretch_y; /* its direction in the tangent plane, unit */
     float alpha, alpha_cutoff;
     alpha_mode alpha_mode;
-    int is_unlit;   /* shows its base colour, reflects nothing */
+    int is_unlit; /* shows its base colour, reflects nothing */
+    float clearcoat, clearcoat_roughness, clearcoat_normal_scale; /* KHR_materials_clearcoat */
     float specular; /* KHR_materials_specular: how much of its reflection a dielectric keeps, */
     vec3 specular_color; /* and what colour, from 0 on, that has straight ahead */
     float transmission, ior;
@@ -31,7 +32,8 @@ typedef struct material {
     vec3 absorption; /* of the inside, per unit of length */
     float normal_scale;
     texture_map base_map, normal_map, surface_map, emission_map, stretch_map, transmission_map,
-        specular_map, specular_color_map;
+        specular_map, specular_color_map, clearcoat_map, clearcoat_roughness_map,
+        clearcoat_normal_map;
 } material;
 
 typedef struct vertex {

@@ -72,8 +72,8 @@ static estimate radiance(material m, vec3 direction, int depth, int samples) {
     const coat_table *coat = lobe_coat_table(reflection.model.ndf, reflection.model.masking,
                                              reflection.g2, COAT_IOR, m.anisotropy != 0.0f);
     const coat_table *coats[64];
-    assert_true(box->material_count <= 64);
-    for (uint32_t i = 0; i < box->material_count; ++i) coats[i] = coat;
+    assert_true(box->material_count < 64);
+    for (uint32_t i = 0; i <= box->material_count; ++i) coats[i] = coat;
     integrator k = {box,   {.ggx = reflection, .coat = coat, .multiscatter = compensation},
                     coats, LOBE_HEURISTIC_BALANCE,
                     depth, depth + 1};

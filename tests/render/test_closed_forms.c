@@ -1,6 +1,6 @@
 /* tests/render/test_closed_forms.c: light on plates that have an answer on paper: Lambert's cosine law, a
- * polygon that glows, a sky that grows brighter upward; and what KHR_materials_specular makes of
- * the reflection of a dielectric. */
+ * polygon that glows, a sky that grows brighter upward; and what KHR_materials_specular and
+ * KHR_materials_clearcoat make of even light. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -42,6 +42,7 @@ static estimate look(square_file f, const char *environment, uint32_t samples) {
         fail_msg("%s", lobe_render_error_message());
     unlink(name);
     lobe_render_options o = small(SIZE, SIZE, samples);
+    o.threads = 1; /* there is too little to share */
     o.depth = 1;
     estimate e = {0};
     double squares = 0;
@@ -300,12 +301,135 @@ static void a_white_base_loses_nothing(void **state) {
     unlink(sky_name);
 }
 
+/* ---- KHR_materials_clearcoat --------------------------------------------------------------------- */
+
+static void print_coated(char *text, size_t room, const char *base, const char *coat) {
+    snprintf(text, room,
+             "{\"pbrMetallicRoughness\":{%s},\"extensions\":{\"KHR_materials_specular\":{"
+             "\"specularFactor\":0},\"KHR_materials_clearcoat\":{%s}}}",
+             base, coat);
+}
+
+static double seen_in_the_middle(const estimate *e) {
+    double seen = 0;
+    for (int i = 0; i < 4; ++i) seen += (double)e->first[SIZE / 2 - i / 2][SIZE / 2 - i % 2][0] / 4;
+    return seen;
+}
+
+/* A smooth coat over black shows share * F; over grey and white the rest of the light is as grey. */
+static void a_smooth_coat_shows_its_share(void **state) {
+    (void)state;
+    static const struct {
+        double base, share, angle;
+    } plate[] = {{0, 1, 0}, {0, 0.5, 0.9}, {0, 1, 1.2}, {0.5, 1, 0.6}, {1, 0.8, 1.1}};
+    write_even_sky();
+    for (int k = 0; k < 5; ++k)
+        for (int metal = 0; metal < 2; ++metal) {
+            const double base = plate[k].base, share = plate[k].share, angle = plate[k].angle;
+            char nodes[200], below[200], coat[100], material[600];
+            snprintf(nodes, sizeof nodes, "{\"mesh\":0,\"rotation\":[%.9g,0,0,%.9g]}",
+                     -sin(angle / 2), cos(angle / 2));
+            snprintf(below, sizeof below,
+                     "\"metallicFactor\":%d,\"roughnessFactor\":0,"
+                     "\"baseColorFactor\":[%g,0,0,1]",
+                     metal, base);
+            snprintf(coat, sizeof coat, "\"clearcoatFactor\":%g", share);
+            print_coated(material, sizeof material, below, coat);
+            const estimate e =
+                look((square_file){.material = material, .nodes = nodes}, sky_name, 64);
+            /* the mirror below turns pale toward the horizon by itself */
+            const double pale = metal ? pow(1 - cos(angle), 5) : 0;
+            const double reflected = share * fresnel(1.5, cos(angle));
+            const double expected = reflected + (1 - reflected) * (base + (1 - base) * pale);
+            const double seen = seen_in_the_middle(&e);
+            if (!(fabs(seen - expected) < 0.01 * expected + 0.02 * base * (1 - base) + 1e-4))
+                fail_msg("plate %d, metal %d: %g is not %g", k, metal, seen, expected);
+        }
+    unlink(sky_name);
+}
+
+/* Any coat over white reflects all light, less what the table of its albedo has too much. */
+static void a_coat_over_white_loses_nothing(void **state) {
+    (void)state;
+    static const char *const coats[] = {"\"clearcoatFactor\":1,\"clearcoatRoughnessFactor\":0.1",
+                                        "\"clearcoatFactor\":0.5,\"clearcoatRoughnessFactor\":0.4",
+                                        "\"clearcoatFactor\":1,\"clearcoatRoughnessFactor\":1"};
+    write_even_sky();
+    for (int k = 0; k < 3; ++k) {
+        char material[600];
+        print_coated(material, sizeof material, "\"metallicFactor\":0", coats[k]);
+        const estimate e = look((square_file){.material = material,
+                                              .nodes = "{\"mesh\":0,\"rotation\":"
+                                                       "[-0.5,0,0,0.8660254]}"},
+                                sky_name, 64);
+        if (!(e.mean < 1.001 + 5 * e.error && e.mean > 0.99 - 5 * e.error))
+            fail_msg("%s: %g +- %g is not 1", coats[k], e.mean, e.error);
+    }
+    unlink(sky_name);
+}
+
+/* Red is the share, green the roughness: the red and the white texel are coated; a map of its own tilts the coat,
+ * and nothing below. */
+static void a_coat_has_its_textures(void **state) {
+    (void)state;
+    char material[600];
+    const char black[] = "\"metallicFactor\":0,\"baseColorFactor\":[0,0,0,1]";
+    write_even_sky();
+    print_coated(material, sizeof material, black,
+                 "\"clearcoatFactor\":1,\"clearcoatTexture\":{\"index\":0}");
+    estimate e = look((square_file){.material = material}, sky_name, 64);
+    for (int y = 3; y < SIZE; y += 9)
+        for (int x = 3; x < SIZE; x += 9) {
+            const int is_coated = (x > SIZE / 2) == (y > SIZE / 2);
+            assert_true(fabs((double)e.first[y][x][0] - 0.04 * is_coated) < 4e-3);
+        }
+    print_coated(material, sizeof material, black,
+                 "\"clearcoatFactor\":1,\"clearcoatNormalTexture\":{\"index\":1}");
+    e = look((square_file){.material = material}, sky_name, 64);
+    /* (1, 1, 1) * 145/255 of each: 54.7 degrees off, so that the mirror shows what is behind the plate */
+    assert_true(seen_in_the_middle(&e) < 0.3);
+    assert_true(fabs(seen_in_the_middle(&e) - 0.04) > 4e-3);
+    unlink(sky_name);
+}
+
+/* A rough and a smooth coat over a rough metal, below a lamp. */
+static void estimators_agree_on_a_coat(void **state) {
+    (void)state;
+    static const char *const coats[] = {"\"clearcoatFactor\":1",
+                                        "\"clearcoatFactor\":0.7,\"clearcoatRoughnessFactor\":0.3"};
+    const lobe_heuristic others[] = {LOBE_HEURISTIC_BSDF_ONLY, LOBE_HEURISTIC_LIGHT_ONLY};
+    for (int k = 0; k < 2; ++k) {
+        char material[1000];
+        print_coated(material, sizeof material, "\"metallicFactor\":0.5,\"roughnessFactor\":0.4",
+                     coats[k]);
+        strcat(material, ",{\"emissiveFactor\":[1,1,1]}");
+        write_square_file(name,
+                          (square_file){.material = material,
+                                        .meshes = second_mesh,
+                                        .children = "0,1,2",
+                                        .nodes = "{\"mesh\":0,\"rotation\":[-0.38,0,0,0.925]},"
+                                                 "{\"mesh\":1,\"translation\":[0,4,0],"
+                                                 "\"rotation\":[0.7071,0,0,0.7071],"
+                                                 "\"scale\":[2,2,2]}"});
+        lobe_scene *scene = load(name);
+        unlink(name);
+        lobe_render_options o = small(32, 32, 24);
+        o.depth = 1;
+        assert_estimators_agree(scene, o, others, 2, 40);
+        lobe_scene_free(scene);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(a_plate_follows_the_cosine),
                                        cmocka_unit_test(a_square_that_glows),
                                        cmocka_unit_test(a_sky_brighter_above),
                                        cmocka_unit_test(a_black_mirror_shows_its_tint),
                                        cmocka_unit_test(share_and_tint_have_textures),
-                                       cmocka_unit_test(a_white_base_loses_nothing)};
+                                       cmocka_unit_test(a_white_base_loses_nothing),
+                                       cmocka_unit_test(a_smooth_coat_shows_its_share),
+                                       cmocka_unit_test(a_coat_over_white_loses_nothing),
+                                       cmocka_unit_test(a_coat_has_its_textures),
+                                       cmocka_unit_test(estimators_agree_on_a_coat)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
