@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include <lobe/batch.h>
+#include <lobe/render.h>
 #include <lobe/version.h>
 
 #include "commands.h"
@@ -22,6 +23,7 @@ static const struct {
     {"bench", lobe_app_bench, "time every model"},
     {"render", lobe_app_render, "path-trace a scene"},
     {"compare", lobe_app_compare, "tell which method is better on a scene, or pictures apart"},
+    {"merge", lobe_app_merge, "join renders of several seeds or parts"},
 };
 
 enum { COMMANDS = sizeof commands / sizeof commands[0] };
@@ -32,7 +34,7 @@ static lobe_app_status print_help(void) {
     for (int i = 0; i < COMMANDS; i++)
         lobe_app_print("  %-10s%s\n", commands[i].name, commands[i].about);
     lobe_app_print("\n  --help    this page; lobe COMMAND --help has the options\n"
-                   "  --version the version, and the instruction set in use\n\n"
+                   "  --version the version, the instruction set in use and the MPI library\n\n"
                    "Exit status: 0 done, 1 failed while running, 2 bad usage or input,\n"
                    "3 a verification or comparison did not hold, 130 interrupted.\n\n"
                    "Example\n  lobe sample --alpha 0.3 --wi 0.6,0,0.8 --count 5\n");
@@ -42,7 +44,7 @@ static lobe_app_status print_help(void) {
 static lobe_app_status print_version(void) {
     lobe_app_print("lobe %s\nvectors: %s, of", LOBE_VERSION_STRING, lobe_isa());
     for (int i = 0; lobe_isa_at(i); i++) lobe_app_print(" %s", lobe_isa_at(i));
-    lobe_app_print("\n");
+    lobe_app_print("\nMPI: %s\n", lobe_ranks_library() ? lobe_ranks_library() : "none");
     return LOBE_APP_DONE;
 }
 

@@ -127,25 +127,22 @@ static lobe_app_status parse_option(const lobe_app_command *command, int argc, c
     return option->read(option, text, value) ? LOBE_APP_DONE : LOBE_APP_BAD_INPUT;
 }
 
-static lobe_app_status take_operand(const lobe_app_command *command, const char *text,
+static lobe_app_status take_operand(const lobe_app_command *command, char *text,
                                     lobe_app_arguments *arguments) {
     char hint[96];
     snprintf(hint, sizeof hint, "see lobe %s --help", command->name);
     if (!command->operand || *text == '\0')
         return lobe_app_reject(*text ? text : "''", hint, "unexpected argument");
-    const bool is_list = strstr(command->operand, "...") != NULL;
-    if (!is_list && arguments->operand)
+    if (arguments->operand && !strstr(command->operand, "..."))
         return lobe_app_reject(text, hint, "a second %s", command->operand);
-    if (arguments->operand_count == LOBE_APP_OPERANDS_MAX)
-        return lobe_app_reject(text, hint, "more than %d arguments", LOBE_APP_OPERANDS_MAX);
+    if (!arguments->operand) arguments->operand = text;
     arguments->operands[arguments->operand_count++] = text;
-    arguments->operand = arguments->operands[0];
     return LOBE_APP_DONE;
 }
 
 lobe_app_status lobe_app_parse(const lobe_app_command *command, int argc, char **argv,
                                lobe_app_arguments *arguments) {
-    *arguments = (lobe_app_arguments){0};
+    *arguments = (lobe_app_arguments){.operands = argv};
     bool has_options = true;
     for (int i = 0; i < argc;) {
         const char *text = argv[i];

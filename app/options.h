@@ -33,22 +33,22 @@ typedef struct lobe_app_command {
     const char *name;
     const char *usage; /* what follows the name */
     const char *about;
-    const char *operand;          /* "SCENE"; "PICTURE...": several; NULL: the command takes none */
+    const char *operand;          /* "SCENE"; "FILE...": any number; NULL: the command takes none */
     const lobe_app_group *groups; /* a title of NULL at the end */
     const char *example;
 } lobe_app_command;
 
-enum { LOBE_APP_OPTIONS_MAX = 64, LOBE_APP_OPERANDS_MAX = 64 };
+enum { LOBE_APP_OPTIONS_MAX = 64 };
 
 typedef struct lobe_app_arguments {
     const char *operand; /* the first; NULL: not given */
-    const char *operands[LOBE_APP_OPERANDS_MAX];
+    char **operands;     /* all, at the start of argv */
     int operand_count;
     const char *given[LOBE_APP_OPTIONS_MAX]; /* names of the options given, NULL at the end */
     bool is_answered;                        /* --help was asked for and printed */
 } lobe_app_arguments;
 
-/* argv[0] is the first argument after the command's name. */
+/* argv[0] is the first argument after the command's name. Reorders argv. */
 lobe_app_status lobe_app_parse(const lobe_app_command *command, int argc, char **argv,
                                lobe_app_arguments *arguments);
 

@@ -19,16 +19,29 @@ lobe_app_progress lobe_app_begin_progress(int mode, const char *label, const cha
     if (mode == LOBE_APP_PROGRESS_AUTO)
         mode = isatty(STDERR_FILENO) ? LOBE_APP_PROGRESS_ALWAYS : LOBE_APP_PROGRESS_NEVER;
     const double now = lobe_app_seconds();
-    return (lobe_app_progress){label, unit, (lobe_app_progress_mode)mode, now, now};
+    return (lobe_app_progress){.label = label,
+                               .unit = unit,
+                               .mode = (lobe_app_progress_mode)mode,
+                               .start = now,
+                               .shown = now};
+}
+
+static double rate_of(const lobe_app_progress *progress, double seconds, double work) {
+    return seconds > 0 ? (work - progress->work_before) / seconds : 0;
+}
+
+static double seconds_left(const lobe_app_progress *progress, double seconds, double fraction) {
+    const double now = fraction - progress->fraction_before;
+    return now > 0 ? seconds * (1 - fraction) / now : 1e6;
 }
 
 static void print_json(const lobe_app_progress *progress, double seconds, double fraction,
                        double work) {
     fprintf(stderr, "{\"progress\":\"%s\",\"seconds\":%.3f,\"%s\":%.0f,\"rate\":%.6g",
-            progress->label, seconds, progress->unit, work, seconds > 0 ? work / seconds : 0);
+            progress->label, seconds, progress->unit, work, rate_of(progress, seconds, work));
     if (fraction > 0)
         fprintf(stderr, ",\"fraction\":%.6f,\"seconds_left\":%.3f", fraction,
-                seconds * (1 - fraction) / fraction);
+                seconds_left(progress, seconds, fraction));
     fprintf(stderr, "}\n");
 }
 
@@ -47,9 +60,9 @@ static void print_bar(const lobe_app_progress *progress, double seconds, double 
     bar[BAR_WIDTH] = '\0';
     fprintf(stderr, "\r\033[K%s [%s] %3.0f %%  ", progress->label, bar,
             fraction > 0 ? 100 * fraction : 0);
-    print_rate(seconds > 0 ? work / seconds : 0, progress->unit);
+    print_rate(rate_of(progress, seconds, work), progress->unit);
     if (fraction > 0) {
-        const int left = (int)fmin(seconds * (1 - fraction) / fraction, 1e6);
+        const int left = (int)fmin(seconds_left(progress, seconds, fraction), 1e6);
         fprintf(stderr, "  %d:%02d left", left / 60, left % 60);
     }
     fflush(stderr);

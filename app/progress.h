@@ -27,7 +27,8 @@ typedef struct lobe_app_progress {
     const char *unit; /* of the work done: "rows", "samples" */
     lobe_app_progress_mode mode;
     double start;
-    double shown; /* when a line was printed last */
+    double shown;                        /* when a line was printed last */
+    double fraction_before, work_before; /* done in an earlier run: no part of the rate */
 } lobe_app_progress;
 
 lobe_app_progress lobe_app_begin_progress(int mode, const char *label, const char *unit);

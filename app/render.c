@@ -1,5 +1,6 @@
 /* app/render.c: `lobe render`: path-trace a scene. */
 #include <errno.h>
+#include <fcntl.h>
 #include <limits.h>
 #include <math.h>
 #include <stdio.h>
@@ -19,19 +20,36 @@
 #include "progress.h"
 #include "view.h"
 
+typedef struct picture_part {
+    uint32_t part, parts;
+} picture_part;
+
 typedef struct render_values {
     lobe_app_view view;
-    const char *out, *reference;
+    const char *out, *reference, *checkpoint, *resume;
     uint64_t spp;
-    double time_limit;
+    picture_part part;
+    double checkpoint_every, noise, time_limit;
     uint32_t aovs;
     lobe_model model; /* of ndf, masking and method */
     int method, progress;
-    bool list_scenes, json;
+    bool list_scenes, json, keep_seconds;
 } render_values;
 
 #define AOV_NAME(ID, name, channels, about) " " name
 #define AOV_NAMES LOBE_AOVS(AOV_NAME)
+
+static bool read_part(const lobe_app_option *option, const char *text, void *value) {
+    picture_part *part = value;
+    char extra;
+    if (strspn(text, "0123456789/") == strlen(text) && strlen(text) < 16 &&
+        sscanf(text, "%u/%u%c", &part->part, &part->parts, &extra) == 2 && part->part >= 1 &&
+        part->part <= part->parts && part->parts <= 1000000)
+        return true;
+    lobe_app_report(option->name, "give K/N, as 1/4 to 4/4, N at most 1000000",
+                    "'%.40s' is not a part", text);
+    return false;
+}
 
 static bool read_aovs(const lobe_app_option *option, const char *text, void *value) {
     uint32_t *bits = value;
@@ -61,6 +79,9 @@ static const lobe_app_option picture_options[] = {
     {"--time", "S", "none",
      "seconds after which to stop with what is finished, if --spp is not reached before",
      lobe_app_read_f64, AT(time_limit), NULL},
+    {"--noise", "LEVEL", "none",
+     "stop when the estimated relative standard error of the pixels is at most this, as 0.05",
+     lobe_app_read_f64, AT(noise), NULL},
     {"--aov", "LIST", "none", "more channels for .exr, with commas between:" AOV_NAMES, read_aovs,
      AT(aovs), NULL},
     {"--method", "NAME", "by surface, else the best for the model", "how to sample reflection",
@@ -69,17 +90,37 @@ static const lobe_app_option picture_options[] = {
      NULL},
     {0}};
 
+static const lobe_app_option long_options[] = {
+    {"--checkpoint", "FILE", NULL, "keep what is finished in FILE, now and then and at the end",
+     lobe_app_read_name, AT(checkpoint), NULL},
+    {"--checkpoint-every", "S", "60", "seconds from one checkpoint to the next", lobe_app_read_f64,
+     AT(checkpoint_every), NULL},
+    {"--resume", "FILE", NULL,
+     "go on from a checkpoint of the same scene and options, to the same bits; a missing one "
+     "starts "
+     "anew if it is --checkpoint too",
+     lobe_app_read_name, AT(resume), NULL},
+    {"--part", "K/N", "1/1", "render the K-th of N shares of the picture; lobe merge joins them",
+     read_part, AT(part), NULL},
+    {0}};
+
 static const lobe_app_option output_options[] = {
     {"--reference", "FILE", NULL, "print the error against this picture", lobe_app_read_name,
      AT(reference), NULL},
     {"--json", NULL, NULL, "statistics as JSON on standard output", NULL, AT(json), NULL},
+    {"--keep-seconds", NULL, NULL,
+     "write the time taken into the .exr, which makes every file another one", NULL,
+     AT(keep_seconds), NULL},
     LOBE_APP_PROGRESS_OPTION(render_values, progress),
     {0}};
 
 static render_values default_values(void) {
+    const lobe_render_options r = lobe_render_default_options();
     return (render_values){.view = lobe_app_default_view(),
-                           .spp = lobe_render_default_options().samples,
-                           .method = LOBE_METHOD_COUNT};
+                           .spp = r.samples,
+                           .method = LOBE_METHOD_COUNT,
+                           .part = {r.part, r.parts},
+                           .checkpoint_every = r.checkpoint_seconds};
 }
 
 static lobe_app_status list_scenes(bool json) {
@@ -98,11 +139,17 @@ static lobe_app_status list_scenes(bool json) {
 typedef struct render_run {
     double time_limit; /* seconds; 0: none */
     lobe_app_progress progress;
+    bool has_begun;
 } render_run;
 
 /* Whichever of the samples and the time comes first ends the work. */
 static void show_progress(void *user, const lobe_render_progress *p) {
     render_run *run = user;
+    if (!run->has_begun) {
+        run->has_begun = true;
+        run->progress.fraction_before = p->fraction;
+        run->progress.work_before = (double)p->samples;
+    }
     const double time_share = run->time_limit > 0 ? fmin(p->seconds / run->time_limit, 1) : 0;
     lobe_app_show_progress(&run->progress, fmax(p->fraction, time_share), (double)p->samples);
 }
@@ -115,19 +162,26 @@ static lobe_render_options render_options(const render_values *v, render_run *ru
     r.aovs = v->aovs;
     r.progress = show_progress;
     r.progress_user = run;
+    r.noise = v->noise;
+    r.checkpoint = v->checkpoint;
+    r.checkpoint_seconds = v->checkpoint_every;
+    r.resume = v->resume;
+    r.part = v->part.part;
+    r.parts = v->part.parts;
     return r;
 }
 
 static json_t *json_statistics(const render_values *v, const char *scene,
                                const lobe_render_statistics *st) {
     return json_pack(
-        "{so ss si si si sI si sI sI sI sI so so so}", "scene", lobe_app_json_text(scene), "method",
-        lobe_render_method_name(v->model.method), "width", v->view.size.width, "height",
+        "{so ss si si si sI si sI sI sI sI so so so so}", "scene", lobe_app_json_text(scene),
+        "method", lobe_render_method_name(v->model.method), "width", v->view.size.width, "height",
         v->view.size.height, "spp", (int)st->pixel_samples, "samples", (json_int_t)st->samples,
         "threads", st->threads, "rays", (json_int_t)st->rays, "draws", (json_int_t)st->ggx_draws,
         "rejected", (json_int_t)st->ggx_rejected, "dropped", (json_int_t)st->dropped_samples,
         "rejected_share", lobe_app_json_number(st->rejected_share), "seconds",
-        lobe_app_json_number(st->seconds), "cpu_seconds", lobe_app_json_number(st->cpu_seconds));
+        lobe_app_json_number(st->seconds), "cpu_seconds", lobe_app_json_number(st->cpu_seconds),
+        "noise", lobe_app_json_number(st->noise));
 }
 
 static json_t *json_error(const lobe_picture_difference *d) {
@@ -172,6 +226,7 @@ static lobe_app_status finish_picture(const render_values *v, const char *scene,
     lobe_film_write_options write = lobe_film_default_write_options();
     lobe_picture_difference difference = {0};
     write.exposure = (float)v->view.exposure;
+    write.keep_seconds = v->keep_seconds;
     lobe_render_result result = LOBE_RENDER_OK;
     if (v->out) result = lobe_film_write(film, v->out, write);
     if (result == LOBE_RENDER_OK && reference)
@@ -184,27 +239,38 @@ static lobe_app_status render_scene(const render_values *v, const char *source,
                                     const lobe_scene *scene, const lobe_film *reference) {
     lobe_film *film = NULL;
     lobe_render_statistics statistics;
-    render_run run = {v->time_limit, lobe_app_begin_progress(v->progress, "render", "samples")};
+    render_run run = {v->time_limit, lobe_app_begin_progress(v->progress, "render", "samples"),
+                      false};
     const lobe_render_result result =
         lobe_render(scene, render_options(v, &run), &film, &statistics);
     lobe_app_end_progress(&run.progress);
+    if (!film && result == LOBE_RENDER_OK) return LOBE_APP_DONE; /* rank 0 has it */
     if (!film) return lobe_app_render_failed(result);
     lobe_app_status status = LOBE_APP_DONE;
     if (statistics.samples > 0) /* else a black picture would replace an older one */
         status = finish_picture(v, source, film, reference, &statistics);
     if (status == LOBE_APP_DONE && result == LOBE_RENDER_INTERRUPTED) status = LOBE_APP_INTERRUPTED;
+    if (status == LOBE_APP_DONE && statistics.has_failed_to_save) status = LOBE_APP_FAILED;
     lobe_film_free(film);
     return status;
+}
+
+/* What one rank cannot do, none does: they would wait for it. */
+static lobe_app_status agree(lobe_app_status status) {
+    const bool is_good = status == LOBE_APP_DONE;
+    const lobe_render_result all =
+        lobe_ranks_agree(is_good ? LOBE_RENDER_OK : LOBE_RENDER_BAD_INPUT);
+    return is_good && all != LOBE_RENDER_OK ? lobe_app_render_failed(all) : status;
 }
 
 static lobe_app_status render(const render_values *v, const char *source) {
     lobe_film *reference = NULL;
     lobe_scene *scene = NULL;
     lobe_app_catch_interrupt();
-    lobe_app_status status = read_reference(v, &reference);
+    lobe_app_status status = agree(read_reference(v, &reference));
     if (!status) {
-        const lobe_render_result result =
-            lobe_scene_load(source, lobe_app_view_scene_options(&v->view), &scene);
+        const lobe_render_result result = lobe_ranks_agree(
+            lobe_scene_load(source, lobe_app_view_scene_options(&v->view), &scene));
         status = result == LOBE_RENDER_OK ? render_scene(v, source, scene, reference)
                                           : lobe_app_render_failed(result);
     }
@@ -216,6 +282,21 @@ static lobe_app_status render(const render_values *v, const char *source) {
 static bool ends_with(const char *path, const char *ending) {
     const size_t length = strlen(path), tail = strlen(ending);
     return length >= tail && strcasecmp(path + length - tail, ending) == 0;
+}
+
+/* Whether a file can be put there. */
+static lobe_app_status check_place(const char *path) {
+    struct stat status;
+    const bool exists = stat(path, &status) == 0;
+    const char *slash = strrchr(path, '/');
+    char folder[PATH_MAX] = ".";
+    if (slash) snprintf(folder, sizeof folder, "%.*s/", (int)(slash - path), path);
+    if (exists && S_ISDIR(status.st_mode))
+        errno = EISDIR;
+    else if (access(folder, W_OK | X_OK) == 0)
+        return LOBE_APP_DONE;
+    lobe_app_report(path, "choose another place", "cannot be written (%s)", strerror(errno));
+    return LOBE_APP_FAILED;
 }
 
 /* What would make the picture impossible to write after all the work. */
@@ -230,37 +311,50 @@ static lobe_app_status check_picture(const render_values *v) {
         ends_with(v->out, ".png"))
         return lobe_app_reject("--size", "end the name with .exr, .hdr or .pfm",
                                "too large for .png");
-    struct stat status;
-    const bool exists = stat(v->out, &status) == 0;
-    const char *slash = strrchr(v->out, '/');
-    char folder[PATH_MAX] = ".";
-    if (slash) snprintf(folder, sizeof folder, "%.*s/", (int)(slash - v->out), v->out);
-    if (exists && S_ISDIR(status.st_mode))
-        errno = EISDIR;
-    else if (access(folder, W_OK | X_OK) == 0)
-        return LOBE_APP_DONE;
-    lobe_app_report(v->out, "choose another place", "cannot be written (%s)", strerror(errno));
-    return LOBE_APP_FAILED;
+    return check_place(v->out);
+}
+
+static lobe_app_status check_checkpoint(const render_values *v) {
+    if (v->checkpoint_every < 0)
+        return lobe_app_reject("--checkpoint-every", "give seconds", "a negative time");
+    if (!v->checkpoint) return LOBE_APP_DONE;
+    if (v->out && strcmp(v->out, v->checkpoint) == 0)
+        return lobe_app_reject("--checkpoint", "give it another name", "it is the picture's file");
+    return check_place(v->checkpoint);
+}
+
+static lobe_app_status check_part(const render_values *v) {
+    if (v->part.parts == 1) return LOBE_APP_DONE;
+    if (v->noise > 0)
+        return lobe_app_reject("--noise", "leave out one of the two",
+                               "a --part does not know the noise of the others");
+    if (v->out && !ends_with(v->out, ".exr"))
+        return lobe_app_reject(v->out, "end the name with .exr, or give --checkpoint",
+                               "cannot say which pixels --part has rendered");
+    return LOBE_APP_DONE;
 }
 
 static lobe_app_status check(const render_values *v, const lobe_app_arguments *arguments) {
     if (!arguments->operand)
         return lobe_app_reject("render", "give a file or a name of --list-scenes", "no scene");
-    if (!v->out && !v->reference && !v->json)
+    if (!v->out && !v->reference && !v->json && !v->checkpoint)
         return lobe_app_reject("-o", "give a file name, as -o picture.png", "no picture to write");
     if (v->aovs && !v->out)
         return lobe_app_reject("--aov", "give -o FILE.exr", "no picture to hold the channels");
     if (v->spp > LOBE_RENDER_SAMPLES_MAX)
         return lobe_app_reject("--spp", "use 1 to 16777216", "too many samples");
     if (v->time_limit < 0) return lobe_app_reject("--time", "give seconds", "a negative time");
-    const lobe_app_status status = lobe_app_check_view(&v->view);
-    if (status) return status;
-    return v->out ? check_picture(v) : LOBE_APP_DONE;
+    if (v->noise < 0) return lobe_app_reject("--noise", "give 0.05 or so", "a negative noise");
+    lobe_app_status status = lobe_app_check_view(&v->view);
+    if (!status) status = check_part(v);
+    if (!status) status = check_checkpoint(v);
+    return !status && v->out ? check_picture(v) : status;
 }
 
-lobe_app_status lobe_app_render(int argc, char **argv) {
+static lobe_app_status run(int argc, char **argv) {
     render_values values = default_values();
     const lobe_app_group groups[] = {{"Picture", picture_options, &values},
+                                     {"Long renders", long_options, &values},
                                      LOBE_APP_VIEW_GROUPS(&values.view),
                                      {"Output", output_options, &values},
                                      {0}};
@@ -269,7 +363,8 @@ lobe_app_status lobe_app_render(int argc, char **argv) {
                                       "Path-traces a scene: a file (glTF 2.0, OBJ, what else the "
                                       "importer reads) or a built-in one.\n"
                                       "Ctrl-C saves what is finished. The same seed gives the same "
-                                      "picture on any number of threads.",
+                                      "picture on any number of threads\n"
+                                      "and of processes (mpirun -n N lobe render ...).",
                                       "SCENE",
                                       groups,
                                       "lobe render gallery -o gallery.png --spp 64"};
@@ -279,6 +374,22 @@ lobe_app_status lobe_app_render(int argc, char **argv) {
     if (values.list_scenes) return list_scenes(values.json);
     status = lobe_app_choose_render_model(&values.view, values.method, &values.model);
     if (status || (status = lobe_app_check_floor(&arguments, values.model))) return status;
-    if ((status = check(&values, &arguments))) return status;
+    if ((status = agree(check(&values, &arguments)))) return status;
     return render(&values, arguments.operand);
+}
+
+/* Only rank 0 has something to say. */
+static bool be_silent(void) {
+    const int file = open("/dev/null", O_WRONLY | O_CLOEXEC);
+    return file >= 0 && dup2(file, STDOUT_FILENO) >= 0 && dup2(file, STDERR_FILENO) >= 0;
+}
+
+lobe_app_status lobe_app_render(int argc, char **argv) {
+    int rank;
+    const lobe_render_result joined = lobe_ranks_join(&rank);
+    if (joined != LOBE_RENDER_OK) return lobe_app_render_failed(joined);
+    if (rank > 0 && !be_silent()) return LOBE_APP_FAILED;
+    const lobe_app_status status = run(argc, argv);
+    if (!lobe_app_interrupted) lobe_ranks_leave();
+    return status;
 }

@@ -106,6 +106,11 @@ lobe_app_status lobe_app_choose_render_model(const lobe_app_view *view, int meth
     return status;
 }
 
+static void print_warning(void *user, const char *message) {
+    (void)user;
+    lobe_app_report_line(message);
+}
+
 lobe_render_options lobe_app_view_render_options(const lobe_app_view *v) {
     lobe_render_options r = lobe_render_default_options();
     r.reflection.model =
@@ -122,12 +127,8 @@ lobe_render_options lobe_app_view_render_options(const lobe_app_view *v) {
     r.heuristic = (lobe_heuristic)v->heuristic;
     r.multiscatter = (lobe_multiscatter)v->multiscatter;
     r.cancel = &lobe_app_interrupted;
+    r.warning = print_warning;
     return r;
-}
-
-static void print_warning(void *user, const char *message) {
-    (void)user;
-    lobe_app_report_line(message);
 }
 
 lobe_scene_options lobe_app_view_scene_options(const lobe_app_view *v) {

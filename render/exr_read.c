@@ -8,11 +8,8 @@
 #include <OpenEXR/ImfCRgbaFile.h>
 #include <OpenEXR/openexr.h>
 
+#include "exr_lines.h"
 #include "message.h"
-
-static void silent(exr_const_context_t context, exr_result_t code, const char *message) {
-    (void)context, (void)code, (void)message;
-}
 
 /* Component (0 to 2) of a channel's name, 3 for luminance alone, -1 for any other. */
 static int component_of(const char *name) {
@@ -22,13 +19,21 @@ static int component_of(const char *name) {
     return -1;
 }
 
+typedef struct picture_lines {
+    image *picture;
+    int is_luminance;
+} picture_lines;
+
 /* Let the decoder write the chunk's channels straight into the picture. */
-static void aim_channels(exr_decode_pipeline_t *pipe, vec3 *row, int width, int *is_luminance) {
+static void aim_channels(exr_decode_pipeline_t *pipe, int line, void *user) {
+    picture_lines *lines = user;
+    const int width = lines->picture->width;
+    vec3 *row = lines->picture->pixels + (size_t)line * (size_t)width;
     for (int i = 0; i < pipe->channel_count; i++) {
         exr_coding_channel_info_t *channel = &pipe->channels[i];
         int component = component_of(channel->channel_name);
         if (component < 0) continue;
-        *is_luminance = component == 3;
+        lines->is_luminance = component == 3;
         channel->decode_to_ptr = (uint8_t *)row + (component % 3) * (int)sizeof(float);
         channel->user_pixel_stride = (int32_t)sizeof(vec3);
         channel->user_line_stride = (int32_t)sizeof(vec3) * width;
@@ -38,24 +43,10 @@ static void aim_channels(exr_decode_pipeline_t *pipe, vec3 *row, int width, int 
 }
 
 static exr_result_t decode_lines(exr_context_t file, exr_attr_box2i_t window, image *picture) {
-    int32_t step = 1;
-    int is_luminance = 0;
-    exr_decode_pipeline_t pipe = EXR_DECODE_PIPELINE_INITIALIZER;
-    exr_result_t status = exr_get_scanlines_per_chunk(file, 0, &step);
-    for (int y = 0; y < picture->height && status == EXR_ERR_SUCCESS; y += step) {
-        exr_chunk_info_t chunk;
-        status = exr_read_scanline_chunk_info(file, 0, window.min.y + y, &chunk);
-        if (status == EXR_ERR_SUCCESS)
-            status = y == 0 ? exr_decoding_initialize(file, 0, &chunk, &pipe)
-                            : exr_decoding_update(file, 0, &chunk, &pipe);
-        if (status != EXR_ERR_SUCCESS) break;
-        aim_channels(&pipe, picture->pixels + (size_t)y * (size_t)picture->width, picture->width,
-                     &is_luminance);
-        if (y == 0) status = exr_decoding_choose_default_routines(file, 0, &pipe);
-        if (status == EXR_ERR_SUCCESS) status = exr_decoding_run(file, 0, &pipe);
-    }
-    exr_decoding_destroy(file, &pipe);
-    if (is_luminance)
+    picture_lines lines = {picture, 0};
+    exr_result_t status =
+        lobe_exr_decode(file, window.min.y, picture->height, aim_channels, &lines);
+    if (lines.is_luminance)
         for (size_t i = 0; i < (size_t)picture->width * (size_t)picture->height; i++)
             picture->pixels[i] = v3_all(picture->pixels[i].x);
     return status;
@@ -144,14 +135,9 @@ static lobe_render_result read_rgba(const char *path, image *picture) {
 }
 
 lobe_render_result lobe_image_read_exr(const char *path, image *picture) {
-    exr_context_t file = NULL;
-    exr_context_initializer_t settings = EXR_DEFAULT_CONTEXT_INITIALIZER;
-    settings.error_handler_fn = silent;
-    exr_result_t status = exr_start_read(&file, path, &settings);
-    if (status != EXR_ERR_SUCCESS)
-        return lobe_fail(LOBE_RENDER_BAD_INPUT,
-                         "%s: not an OpenEXR picture that can be read (%s); is it complete?", path,
-                         exr_get_default_error_message(status));
+    exr_context_t file;
+    lobe_render_result result = lobe_exr_open(path, &file);
+    if (result != LOBE_RENDER_OK) return result;
     if (!has_colour(colour_channels(file))) {
         exr_finish(&file);
         return lobe_fail(LOBE_RENDER_BAD_INPUT,
@@ -162,11 +148,10 @@ lobe_render_result lobe_image_read_exr(const char *path, image *picture) {
         exr_finish(&file);
         return read_rgba(path, picture);
     }
-    lobe_render_result result =
-        create_checked(path, picture, (int64_t)window.max.x - window.min.x + 1,
-                       (int64_t)window.max.y - window.min.y + 1);
+    result = create_checked(path, picture, (int64_t)window.max.x - window.min.x + 1,
+                            (int64_t)window.max.y - window.min.y + 1);
     if (result == LOBE_RENDER_OK) {
-        status = decode_lines(file, window, picture);
+        exr_result_t status = decode_lines(file, window, picture);
         if (status != EXR_ERR_SUCCESS)
             result = lobe_fail(LOBE_RENDER_BAD_INPUT, "%s: cannot be decoded (%s); is it complete?",
                                path, exr_get_default_error_message(status));

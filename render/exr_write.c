@@ -5,12 +5,12 @@
 
 #include <OpenEXR/openexr.h>
 
-#include "film.h"
+#include "exr_film.h"
 #include "lobe/version.h"
 #include "message.h"
 #include "output.h"
 
-enum { CHANNELS_MAX = 3 + 3 * LOBE_AOV_COUNT };
+enum { CHANNELS_MAX = 4 + 3 * LOBE_AOV_COUNT };
 
 typedef struct channel {
     char name[32];
@@ -19,7 +19,7 @@ typedef struct channel {
 } channel;
 
 typedef struct layers {
-    float *planes[1 + LOBE_AOV_COUNT]; /* owned */
+    float *planes[2 + LOBE_AOV_COUNT]; /* owned */
     int plane_count;
     channel channels[CHANNELS_MAX];
     int count;
@@ -52,13 +52,20 @@ static int by_name(const void *a, const void *b) {
     return strcmp(((const channel *)a)->name, ((const channel *)b)->name);
 }
 
-static const char *components_of(lobe_aov aov) {
-    static const char *const components[LOBE_AOV_COUNT] = {[LOBE_AOV_ALBEDO] = "RGB",
-                                                           [LOBE_AOV_NORMAL] = "XYZ",
-                                                           [LOBE_AOV_DEPTH] = "Z",
-                                                           [LOBE_AOV_REJECTED] = "Y",
-                                                           [LOBE_AOV_VNDF_INTEGRAL] = "Y"};
-    return components[aov];
+/* Whether one number says how many samples the pixels have. */
+static int is_even(const lobe_film *film) {
+    for (size_t i = 0; i < (size_t)film->width * (size_t)film->height; i++)
+        if (film->pixels[i].samples != film->metadata.samples) return 0;
+    return 1;
+}
+
+static int add_samples(layers *l, const lobe_film *film) {
+    size_t count = (size_t)film->width * (size_t)film->height;
+    float *plane = malloc(count * sizeof *plane);
+    if (!plane) return 0;
+    for (size_t i = 0; i < count; i++) plane[i] = (float)film->pixels[i].samples;
+    add_layer(l, EXR_SAMPLES_LAYER, "Y", plane);
+    return 1;
 }
 
 /* Planes of all channels, sorted by name as the format demands. 0: no memory. */
@@ -76,23 +83,41 @@ static int gather(const lobe_film *film, float scale, layers *l) {
         lobe_film_copy_aov(film, (lobe_aov)aov, plane);
         char prefix[24];
         snprintf(prefix, sizeof prefix, "%s.", lobe_aov_name((lobe_aov)aov));
-        add_layer(l, prefix, components_of((lobe_aov)aov), plane);
+        add_layer(l, prefix, lobe_exr_components((lobe_aov)aov), plane);
     }
+    if (film->metadata.identity[0] && !is_even(film) && !add_samples(l, film)) return 0;
     qsort(l->channels, (size_t)l->count, sizeof *l->channels, by_name);
     return 1;
 }
 
-static void write_metadata(exr_context_t file, const film_metadata *metadata) {
-    char number[32];
+/* "3,7" */
+static void write_seeds(exr_context_t file, const film_metadata *m) {
+    const size_t room = 24 * (size_t)m->seed_count + 1;
+    char *text = calloc(room, 1);
+    size_t used = 0;
+    for (uint32_t i = 0; i < m->seed_count && text; i++)
+        used += (size_t)snprintf(text + used, room - used, "%s%llu", i ? "," : "",
+                                 (unsigned long long)m->seeds[i]);
+    if (text) exr_attr_set_string(file, 0, EXR_SEED, text);
+    free(text);
+}
+
+static void write_metadata(exr_context_t file, const film_metadata *metadata,
+                           const lobe_film_write_options *options) {
+    char identity[IDENTITY_ROOM + 32];
     exr_attr_set_string(file, 0, "software", "lobe " LOBE_VERSION_STRING);
-    if (!metadata->is_rendered) return;
-    exr_attr_set_string(file, 0, "lobe.scene", metadata->scene);
-    exr_attr_set_string(file, 0, "lobe.method", metadata->method);
+    if (!metadata->identity[0]) return;
+    exr_attr_set_string(file, 0, EXR_SCENE, metadata->scene);
+    exr_attr_set_string(file, 0, EXR_METHOD, metadata->method);
     exr_attr_set_string(file, 0, "lobe.version", LOBE_VERSION_STRING);
-    snprintf(number, sizeof number, "%llu", (unsigned long long)metadata->seed);
-    exr_attr_set_string(file, 0, "lobe.seed", number);
-    exr_attr_set_int(file, 0, "lobe.samples", (int32_t)metadata->samples);
-    exr_attr_set_float(file, 0, "lobe.seconds", (float)metadata->seconds);
+    snprintf(identity, sizeof identity, "%s", metadata->identity);
+    if (options->exposure != 0.0f)
+        snprintf(identity + strlen(identity), 32, "exposure %.9g\n", (double)options->exposure);
+    exr_attr_set_string(file, 0, EXR_OPTIONS, identity);
+    write_seeds(file, metadata);
+    exr_attr_set_int(file, 0, EXR_SAMPLES, (int32_t)metadata->samples);
+    if (options->keep_seconds)
+        exr_attr_set_float(file, 0, "lobe.seconds", (float)metadata->seconds);
 }
 
 static exr_result_t write_header(exr_context_t file, const lobe_film *film, const layers *l,
@@ -109,15 +134,16 @@ static exr_result_t write_header(exr_context_t file, const lobe_film *film, cons
         status = exr_initialize_required_attr_simple(file, 0, film->width, film->height,
                                                      compressions[options.compression]);
     for (int i = 0; i < l->count && status == EXR_ERR_SUCCESS; i++) {
-        /* Distances need more than the eleven bits of half. */
-        int is_float =
-            options.pixels == LOBE_FILM_FLOAT || strcmp(l->channels[i].name, "depth.Z") == 0;
+        /* Distances and numbers of samples need more than the eleven bits of half. */
+        int is_float = options.pixels == LOBE_FILM_FLOAT ||
+                       strcmp(l->channels[i].name, "depth.Z") == 0 ||
+                       strcmp(l->channels[i].name, EXR_SAMPLES_LAYER "Y") == 0;
         status = exr_add_channel(file, 0, l->channels[i].name,
                                  is_float ? EXR_PIXEL_FLOAT : EXR_PIXEL_HALF,
                                  EXR_PERCEPTUALLY_LOGARITHMIC, 1, 1);
     }
     if (status != EXR_ERR_SUCCESS) return status;
-    write_metadata(file, &film->metadata);
+    write_metadata(file, &film->metadata, &options);
     return exr_write_header(file);
 }
 

@@ -17,9 +17,10 @@ lobe_film *lobe_film_create(int width, int height, uint32_t aovs) {
     lobe_film *film = calloc(1, sizeof *film);
     if (!film) return NULL;
     *film = (lobe_film){.width = width, .height = height, .aovs = aovs};
+    film->metadata.part = film->metadata.parts = 1;
     film->pixels = calloc(count, sizeof *film->pixels);
     if (aovs & first_hit_aovs)
-        film->first_hit = calloc(count * FILM_FIRST_HIT_FLOATS, sizeof *film->first_hit);
+        film->first_hit = calloc(count * FILM_FIRST_HIT_VALUES, sizeof *film->first_hit);
     if (!film->pixels || ((aovs & first_hit_aovs) && !film->first_hit)) {
         lobe_film_free(film);
         return NULL;
@@ -31,6 +32,7 @@ void lobe_film_free(lobe_film *film) {
     if (!film) return;
     free(film->pixels);
     free(film->first_hit);
+    free(film->metadata.seeds);
     free(film);
 }
 
@@ -54,13 +56,88 @@ void lobe_film_add(lobe_film *film, size_t index, const film_sample *sample) {
     pixel->rgb[0] += (double)sample->radiance.x;
     pixel->rgb[1] += (double)sample->radiance.y;
     pixel->rgb[2] += (double)sample->radiance.z;
+    if (sample->is_first_half) pixel->half += (double)v3_luminance(sample->radiance);
     if (film->first_hit) {
-        const float values[FILM_FIRST_HIT_FLOATS] = {
+        const float values[FILM_FIRST_HIT_VALUES] = {
             sample->albedo.x, sample->albedo.y, sample->albedo.z, sample->normal.x,
             sample->normal.y, sample->normal.z, sample->depth,    sample->vndf_integral};
-        for (int i = 0; i < FILM_FIRST_HIT_FLOATS; i++)
-            film->first_hit[index * FILM_FIRST_HIT_FLOATS + (size_t)i] += values[i];
+        for (int i = 0; i < FILM_FIRST_HIT_VALUES; i++)
+            film->first_hit[index * FILM_FIRST_HIT_VALUES + (size_t)i] += (double)values[i];
     }
+}
+
+void lobe_film_clear(lobe_film *film) {
+    const size_t count = (size_t)film->width * (size_t)film->height;
+    memset(film->pixels, 0, count * sizeof *film->pixels);
+    if (film->first_hit)
+        memset(film->first_hit, 0, count * FILM_FIRST_HIT_VALUES * sizeof *film->first_hit);
+}
+
+static void add_pixel(film_pixel *sum, const film_pixel *more) {
+    for (int c = 0; c < 3; c++) sum->rgb[c] += more->rgb[c];
+    sum->half += more->half;
+    sum->samples += more->samples;
+    sum->dropped += more->dropped;
+    sum->draws += more->draws;
+    sum->rejected += more->rejected;
+}
+
+void lobe_film_add_part(lobe_film *film, int left, int top, const lobe_film *part) {
+    for (int y = 0; y < part->height && top + y < film->height; y++)
+        for (int x = 0; x < part->width && left + x < film->width; x++) {
+            const size_t to = (size_t)(top + y) * (size_t)film->width + (size_t)(left + x);
+            const size_t from = (size_t)y * (size_t)part->width + (size_t)x;
+            add_pixel(&film->pixels[to], &part->pixels[from]);
+            for (size_t i = 0; film->first_hit && i < FILM_FIRST_HIT_VALUES; i++)
+                film->first_hit[to * FILM_FIRST_HIT_VALUES + i] +=
+                    part->first_hit[from * FILM_FIRST_HIT_VALUES + i];
+        }
+}
+
+int lobe_film_set_seeds(lobe_film *film, const uint64_t *seeds, uint32_t count) {
+    uint64_t *copy = malloc(count * sizeof *copy + 1);
+    if (!copy) return 0;
+    memcpy(copy, seeds, count * sizeof *copy);
+    free(film->metadata.seeds);
+    film->metadata.seeds = copy;
+    film->metadata.seed_count = count;
+    return 1;
+}
+
+uint32_t lobe_film_most_samples(const lobe_film *film) {
+    uint32_t most = 0;
+    for (size_t i = 0; i < (size_t)film->width * (size_t)film->height; i++)
+        if (lobe_film_tried(film, i) > most) most = lobe_film_tried(film, i);
+    return most;
+}
+
+lobe_film_samples lobe_film_get_samples(const lobe_film *film) {
+    lobe_film_samples s = {UINT32_MAX, lobe_film_most_samples(film), film->metadata.seed_count};
+    for (size_t i = 0; i < (size_t)film->width * (size_t)film->height; i++)
+        if (lobe_film_tried(film, i) < s.fewest) s.fewest = lobe_film_tried(film, i);
+    return s;
+}
+
+/* How many of the first `samples` belong to the first half. */
+static uint32_t first_half_of(uint32_t samples) {
+    const uint32_t pair = 2 * FILM_HALF_BLOCK, rest = samples % pair;
+    return samples / pair * FILM_HALF_BLOCK + (rest < FILM_HALF_BLOCK ? rest : FILM_HALF_BLOCK);
+}
+
+double lobe_film_noise(const lobe_film *film) {
+    double sum = 0.0;
+    size_t pixels = 0;
+    for (size_t i = 0; i < (size_t)film->width * (size_t)film->height; i++) {
+        const film_pixel *p = &film->pixels[i];
+        const double n = p->samples, first = first_half_of(p->samples), second = n - first;
+        if (p->samples == 0) continue;
+        if (p->samples < 2 * FILM_HALF_BLOCK) return NAN;
+        const double all = 0.2126 * p->rgb[0] + 0.7152 * p->rgb[1] + 0.0722 * p->rgb[2];
+        const double difference = p->half / first - (all - p->half) / second, mean = all / n;
+        sum += difference * difference * first * second / (n * n) / (mean * mean + 0.01);
+        pixels++;
+    }
+    return pixels ? sqrt(sum / (double)pixels) : NAN;
 }
 
 vec3 lobe_film_mean(const lobe_film *film, size_t index) {
@@ -80,9 +157,9 @@ int lobe_film_copy_rgb(const lobe_film *film, float *rgb) {
 
 static void copy_first_hit(const lobe_film *film, int offset, int channels, float *values) {
     for (size_t i = 0; i < (size_t)film->width * (size_t)film->height; i++) {
-        const float *sums = film->first_hit + i * FILM_FIRST_HIT_FLOATS + offset;
+        const double *sums = film->first_hit + i * FILM_FIRST_HIT_VALUES + offset;
         uint32_t samples = film->pixels[i].samples;
-        for (int c = 0; c < channels; c++) *values++ = samples ? sums[c] / (float)samples : 0.0f;
+        for (int c = 0; c < channels; c++) *values++ = samples ? (float)(sums[c] / samples) : 0.0f;
     }
 }
 

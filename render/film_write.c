@@ -11,7 +11,7 @@
 #include "output.h"
 
 lobe_film_write_options lobe_film_default_write_options(void) {
-    return (lobe_film_write_options){0.0f, LOBE_FILM_HALF, LOBE_FILM_COMPRESSION_ZIP};
+    return (lobe_film_write_options){0.0f, LOBE_FILM_HALF, LOBE_FILM_COMPRESSION_ZIP, 0};
 }
 
 int lobe_film_can_write(const char *path) {

@@ -1,14 +1,18 @@
-/* The loop over passes, tiles, pixels and samples. A pixel belongs to one thread at a time and its
- * samples come in order, so the bits do not depend on the number of threads. */
+/* From a scene and options to a film. The samples of a pixel are added up in one order, whoever makes them
+ * (schedule.h), so the bits do not depend on the number of threads or processes. */
 
+#include <errno.h>
 #include <omp.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
+#include <unistd.h>
 
+#include "crew.h"
 #include "integrator.h"
+#include "ranks.h"
 
-enum { TILE = 16, FILTER_STEPS = 256 };
+enum { FILTER_STEPS = 256 };
 
 static const struct {
     lobe_heuristic value;
@@ -41,7 +45,10 @@ lobe_render_options lobe_render_default_options(void) {
                                  .samples = 64,
                                  .depth = 8,
                                  .roulette_depth = 5,
-                                 .heuristic = LOBE_HEURISTIC_BALANCE};
+                                 .heuristic = LOBE_HEURISTIC_BALANCE,
+                                 .checkpoint_seconds = 60.0,
+                                 .part = 1,
+                                 .parts = 1};
 }
 
 /* What the threads share. */
@@ -49,19 +56,10 @@ typedef struct job {
     const lobe_scene *scene;
     const lobe_render_options *options;
     integrator integrator;
-    lobe_film *film;
+    const camera *camera;
     vec3 eye, forward, right, up; /* right and up reach to the edge of the picture */
     float filter[FILTER_STEPS + 1];
-    double start;
-    uint64_t rays;
-    uint32_t done; /* samples a pixel of all finished passes */
 } job;
-
-static double now(clockid_t clock) {
-    struct timespec t;
-    clock_gettime(clock, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
 
 /* Inverse distribution of the Blackman-Harris window (Harris 1978), 3 pixels wide: pixels are filtered
  * by drawing from it, so every sample weighs the same. */
@@ -88,7 +86,7 @@ static float filter_offset(const job *j, uint32_t bits) {
     return j->filter[k] + (x - (float)k) * (j->filter[k + 1] - j->filter[k]);
 }
 
-static void render_sample(const job *j, int x, int y, uint32_t index, uint64_t *rays) {
+static film_sample render_sample(const job *j, int x, int y, uint32_t index, uint64_t *rays) {
     const lobe_render_options *o = j->options;
     sampler points = {.key = lobe_sampler_key(o->seed, (uint32_t)x, (uint32_t)y),
                       .index = index,
@@ -99,63 +97,21 @@ static void render_sample(const job *j, int x, int y, uint32_t index, uint64_t *
     vec3 d = v3_add(j->forward, v3_add(v3_scale(j->right, px), v3_scale(j->up, py)));
     film_sample sample =
         lobe_trace_path(&j->integrator, j->eye, v3_normalize_or(d, j->forward), &points, rays);
-    lobe_film_add(j->film, (size_t)y * (size_t)o->width + (size_t)x, &sample);
+    sample.is_first_half = lobe_film_is_first_half(index);
+    return sample;
 }
 
-static int is_stopped(const job *j) {
+static void render_tile(const void *user, const unit *u, lobe_film *tile, uint64_t *rays) {
+    const job *j = user;
     const lobe_render_options *o = j->options;
-    if (o->cancel && *o->cancel) return 1;
-    return o->time_limit > 0.0 && now(CLOCK_MONOTONIC) - j->start > o->time_limit;
-}
-
-static void render_tile(const job *j, int tile, uint32_t first, uint32_t count, uint64_t *rays) {
-    const lobe_render_options *o = j->options;
-    int across = (o->width + TILE - 1) / TILE;
-    int left = tile % across * TILE, top = tile / across * TILE;
-    for (int y = top; y < top + TILE && y < o->height; y++)
-        for (int x = left; x < left + TILE && x < o->width; x++)
-            for (uint32_t i = first; i < first + count; i++) render_sample(j, x, y, i, rays);
-}
-
-static void show_progress(const job *j, double fraction) {
-    if (!j->options->progress || omp_get_thread_num() != 0) return;
-    double seconds = now(CLOCK_MONOTONIC) - j->start;
-    lobe_render_progress p = {.fraction = fraction,
-                              .seconds = seconds,
-                              .seconds_left =
-                                  fraction > 0.0 ? seconds * (1.0 - fraction) / fraction : -1.0,
-                              .samples = (uint64_t)(fraction * j->options->samples *
-                                                    (double)j->options->width * j->options->height),
-                              .pixel_samples = j->done};
-    j->options->progress(j->options->progress_user, &p);
-}
-
-/* `count` samples for every pixel; 0: stopped before all tiles had theirs. */
-static int render_pass(job *j, uint32_t count, int threads) {
-    const lobe_render_options *o = j->options;
-    int tiles = ((o->width + TILE - 1) / TILE) * ((o->height + TILE - 1) / TILE);
-    int finished = 0, stopped = 0;
-    uint64_t rays = 0;
-#pragma omp parallel for schedule(dynamic, 1) num_threads(threads) reduction(+ : rays)
-    for (int tile = 0; tile < tiles; tile++) {
-        int skip;
-#pragma omp atomic read
-        skip = stopped;
-        if (skip) continue;
-        if (is_stopped(j)) {
-#pragma omp atomic write
-            stopped = 1;
-            continue;
-        }
-        render_tile(j, tile, j->done, count, &rays);
-        int now_finished;
-#pragma omp atomic capture
-        now_finished = ++finished;
-        show_progress(j, (j->done + (double)count * now_finished / tiles) / o->samples);
-    }
-    j->rays += rays;
-    if (finished == tiles) j->done += count;
-    return finished == tiles;
+    const int across = (o->width + TILE - 1) / TILE;
+    const int left = (int)u->tile % across * TILE, top = (int)u->tile / across * TILE;
+    for (int y = 0; y < TILE && top + y < o->height; y++)
+        for (int x = 0; x < TILE && left + x < o->width; x++)
+            for (uint32_t i = u->first; i < u->first + u->count; i++) {
+                const film_sample sample = render_sample(j, left + x, top + y, i, rays);
+                lobe_film_add(tile, (size_t)(y * TILE + x), &sample);
+            }
 }
 
 static lobe_render_result aim(job *j) {
@@ -170,6 +126,7 @@ static lobe_render_result aim(job *j) {
                              j->scene->name, o->camera);
         c = &j->scene->cameras[i];
     }
+    j->camera = c;
     float height = tanf(0.5f * c->vertical_degrees * (LOBE_PI / 180.0f));
     j->eye = c->position;
     j->forward = v3_normalize_or(v3_sub(c->target, c->position), v3(0.0f, 0.0f, -1.0f));
@@ -207,6 +164,12 @@ static lobe_render_result check_options(const lobe_render_options *o) {
     if (o->threads < 0 || o->threads > 1024)
         return lobe_fail(LOBE_RENDER_BAD_INPUT, "threads: %d is out of range; use 0 to 1024",
                          o->threads);
+    if (o->part < 1 || o->part > o->parts)
+        return lobe_fail(LOBE_RENDER_BAD_INPUT, "part: there is no part %u of %u; use 1 to %u",
+                         o->part, o->parts, o->parts);
+    if (o->parts > 1 && o->noise > 0.0)
+        return lobe_fail(LOBE_RENDER_BAD_INPUT,
+                         "part: a part does not know the noise of the others; leave one out");
     const lobe_model model = o->reflection.model;
     if (o->multiscatter == LOBE_MULTISCATTER_WALK &&
         (model.masking != LOBE_MASKING_SMITH || o->reflection.g2 != LOBE_G2_CORRELATED))
@@ -216,17 +179,31 @@ static lobe_render_result check_options(const lobe_render_options *o) {
             "another");
     if (!is_offered(model) || (unsigned)o->multiscatter > LOBE_MULTISCATTER_WALK ||
         !(o->reflection.floor >= 0.0 && o->reflection.floor <= 1.0) ||
-        (unsigned)o->heuristic >= 4u || !(o->time_limit >= 0.0))
+        (unsigned)o->heuristic >= 4u || !(o->time_limit >= 0.0) || !(o->noise >= 0.0) ||
+        !(o->checkpoint_seconds >= 0.0))
         return lobe_fail(LOBE_RENDER_BAD_INPUT,
                          "options: a value is out of range; see lobe/render.h");
     return LOBE_RENDER_OK;
 }
 
-static void fill_statistics(const job *j, double cpu, int threads, lobe_render_statistics *st) {
-    *st =
-        (lobe_render_statistics){.rays = j->rays, .threads = threads, .pixel_samples = UINT32_MAX};
-    for (size_t i = 0; i < (size_t)j->options->width * (size_t)j->options->height; i++) {
-        const film_pixel *p = &j->film->pixels[i];
+static int is_in_part(const lobe_render_options *o, size_t pixel) {
+    const size_t across = (size_t)(o->width + TILE - 1) / TILE;
+    const size_t x = pixel % (size_t)o->width / TILE, y = pixel / (size_t)o->width / TILE;
+    return (y * across + x) % o->parts == o->part - 1;
+}
+
+static void fill_statistics(const crew *c, lobe_render_statistics *st) {
+    const checkpoint_cost cost = lobe_crew_cost(c);
+    *st = (lobe_render_statistics){.rays = cost.rays,
+                                   .seconds = cost.seconds,
+                                   .cpu_seconds = cost.cpu_seconds,
+                                   .threads = c->threads,
+                                   .pixel_samples = UINT32_MAX,
+                                   .noise = lobe_film_noise(c->film),
+                                   .has_failed_to_save = c->has_failed_to_save};
+    for (size_t i = 0; i < (size_t)c->film->width * (size_t)c->film->height; i++) {
+        const film_pixel *p = &c->film->pixels[i];
+        if (!is_in_part(c->options, i)) continue;
         st->samples += p->samples + p->dropped;
         st->dropped_samples += p->dropped;
         st->ggx_draws += p->draws;
@@ -235,29 +212,83 @@ static void fill_statistics(const job *j, double cpu, int threads, lobe_render_s
         if (samples < st->pixel_samples) st->pixel_samples = samples;
     }
     if (st->ggx_draws) st->rejected_share = (double)st->ggx_rejected / (double)st->ggx_draws;
-    st->seconds = now(CLOCK_MONOTONIC) - j->start;
-    st->cpu_seconds = now(CLOCK_PROCESS_CPUTIME_ID) - cpu;
 }
 
-/* Passes double, so that an interrupted picture is a whole one and few pixels are ahead. */
-static int render_passes(job *j, int threads) {
-    while (j->done < j->options->samples) {
-        uint32_t left = j->options->samples - j->done;
-        uint32_t count = j->done == 0 ? 1 : j->done < 16 ? j->done : 16;
-        if (!render_pass(j, count < left ? count : left, threads)) return 0;
-    }
-    return 1;
-}
-
-static void keep_metadata(job *j, double seconds) {
-    film_metadata *m = &j->film->metadata;
-    memcpy(m->scene, j->scene->name, sizeof m->scene);
+static int describe(lobe_film *film, const job *j, const char *identity) {
+    film_metadata *m = &film->metadata;
     const char *method = lobe_render_method_name(j->options->reflection.model.method);
+    memcpy(m->scene, j->scene->name, sizeof m->scene);
     memcpy(m->method, method, strlen(method) + 1);
-    m->samples = j->done;
-    m->seed = j->options->seed;
-    m->seconds = seconds;
-    m->is_rendered = 1;
+    memcpy(m->identity, identity, sizeof m->identity);
+    m->part = j->options->part;
+    m->parts = j->options->parts;
+    return lobe_film_set_seeds(film, &j->options->seed, 1);
+}
+
+/* ---- Going on -------------------------------------------------------------------------------- */
+
+static lobe_render_result refuse(const char *path, const char *key, const char *value,
+                                 const char *wanted) {
+    return lobe_fail(LOBE_RENDER_BAD_INPUT,
+                     "%s: of another render, its %s is %s, not %s; use the same scene and options",
+                     path, key, value, wanted);
+}
+
+static lobe_render_result check_resumed(const lobe_film *film, const lobe_render_options *o,
+                                        const char *identity) {
+    const film_metadata *m = &film->metadata;
+    identity_difference d;
+    char value[32], wanted[32];
+    if (lobe_identity_differs(identity, m->identity, NULL, &d))
+        return refuse(o->resume, d.key, d.other, d.value);
+    snprintf(wanted, sizeof wanted, "%llu", (unsigned long long)o->seed);
+    snprintf(value, sizeof value, "%llu", (unsigned long long)m->seeds[0]);
+    if (m->seed_count != 1) return refuse(o->resume, "seed", "more than one", wanted);
+    if (m->seeds[0] != o->seed) return refuse(o->resume, "seed", value, wanted);
+    snprintf(wanted, sizeof wanted, "%u/%u", o->part, o->parts);
+    snprintf(value, sizeof value, "%u/%u", m->part, m->parts);
+    if (m->part != o->part || m->parts != o->parts) return refuse(o->resume, "part", value, wanted);
+    if (film->width == o->width && film->height == o->height && film->aovs == o->aovs)
+        return LOBE_RENDER_OK;
+    return lobe_fail(LOBE_RENDER_BAD_INPUT, "%s: its parts do not fit together; take another one",
+                     o->resume);
+}
+
+/* A job that is always started by the same command has no checkpoint the first time. */
+static int is_first_run(const lobe_render_options *o) {
+    return o->checkpoint && strcmp(o->checkpoint, o->resume) == 0 && access(o->resume, F_OK) != 0 &&
+           errno == ENOENT;
+}
+
+static lobe_render_result open_film(crew *c, const job *j, const char *identity) {
+    const lobe_render_options *o = j->options;
+    lobe_render_result result = LOBE_RENDER_OK;
+    if (o->checkpoint && lobe_checkpoint_would_destroy(o->checkpoint))
+        return lobe_fail(LOBE_RENDER_BAD_INPUT,
+                         "%s: there is a file that is no checkpoint; choose another name",
+                         o->checkpoint);
+    if (o->resume && !is_first_run(o)) {
+        result = lobe_checkpoint_read(o->resume, &c->film, &c->before);
+        if (result == LOBE_RENDER_OK) result = check_resumed(c->film, o, identity);
+    } else {
+        c->film = lobe_film_create(o->width, o->height, o->aovs);
+        if (!c->film) result = lobe_fail_memory("film");
+    }
+    if (result == LOBE_RENDER_OK && !describe(c->film, j, identity))
+        result = lobe_fail_memory("film");
+    return result;
+}
+
+/* All ranks have to mean the same picture. */
+static lobe_render_result compare_with_first_rank(const char *identity) {
+    char first[IDENTITY_ROOM];
+    identity_difference d;
+    memcpy(first, identity, sizeof first);
+    lobe_ranks_broadcast(first, sizeof first);
+    if (!lobe_identity_differs(identity, first, NULL, &d)) return LOBE_RENDER_OK;
+    return lobe_fail(LOBE_RENDER_BAD_INPUT,
+                     "%s: %s here, %s at rank 0; give all nodes the same files", d.key, d.value,
+                     d.other);
 }
 
 /* The coat's table of every material and of COAT_IOR, by malloc. A file with very many indices gets the nearest ones. */
@@ -283,28 +314,49 @@ static const coat_table **find_coats(const lobe_scene *s, const lobe_reflection_
     return coats;
 }
 
+/* Rank 0, or the only process. */
+static lobe_render_result lead(crew *c, lobe_film **film, lobe_render_statistics *statistics) {
+    lobe_render_result result = lobe_crew_run(c);
+    if (result != LOBE_RENDER_OK) return result;
+    lobe_render_statistics own;
+    fill_statistics(c, statistics ? statistics : &own);
+    c->film->metadata.samples = lobe_film_most_samples(c->film);
+    c->film->metadata.seconds = lobe_crew_cost(c).seconds;
+    *film = c->film;
+    c->film = NULL;
+    return c->is_cancelled ? LOBE_RENDER_INTERRUPTED : LOBE_RENDER_OK;
+}
+
 static lobe_render_result render_with(const coat_table *const *coats, const lobe_scene *scene,
                                       const lobe_render_options *options, lobe_film **film,
                                       lobe_render_statistics *statistics) {
-    job j = {.scene = scene, .options = options, .start = now(CLOCK_MONOTONIC)};
-    double cpu = now(CLOCK_PROCESS_CPUTIME_ID);
+    job j = {.scene = scene, .options = options};
+    crew c = {.options = options,
+              .render = render_tile,
+              .user = &j,
+              .start = lobe_clock(),
+              .before.cpu_seconds = -lobe_cpu_clock()};
     j.integrator = (integrator){
         scene,          {.ggx = options->reflection, .multiscatter = options->multiscatter},
         coats,          options->heuristic,
         options->depth, options->roulette_depth};
+    char identity[IDENTITY_ROOM] = "";
     lobe_render_result result = aim(&j);
-    if (result != LOBE_RENDER_OK) return result;
-    make_filter(j.filter);
-    j.film = lobe_film_create(options->width, options->height, options->aovs);
-    if (!j.film) return lobe_fail_memory("film");
-    int threads = options->threads ? options->threads : omp_get_max_threads();
-    int finished = render_passes(&j, threads);
-    lobe_render_statistics own;
-    fill_statistics(&j, cpu, threads, statistics ? statistics : &own);
-    keep_metadata(&j, now(CLOCK_MONOTONIC) - j.start);
-    *film = j.film;
-    int cancelled = !finished && options->cancel && *options->cancel;
-    return cancelled ? LOBE_RENDER_INTERRUPTED : LOBE_RENDER_OK;
+    if (result == LOBE_RENDER_OK) {
+        make_filter(j.filter);
+        lobe_identity_write(identity, scene, j.camera, options);
+    }
+    if (result == LOBE_RENDER_OK && lobe_ranks_own() == 0) result = open_film(&c, &j, identity);
+    result = lobe_ranks_agree(result);
+    if (result == LOBE_RENDER_OK) result = lobe_ranks_agree(compare_with_first_rank(identity));
+    if (result == LOBE_RENDER_OK) {
+        c.threads = options->threads ? options->threads : omp_get_max_threads();
+        omp_init_lock(&c.lock);
+        result = lobe_ranks_own() == 0 ? lead(&c, film, statistics) : lobe_ranks_help(&c);
+        omp_destroy_lock(&c.lock);
+    }
+    lobe_film_free(c.film);
+    return result;
 }
 
 lobe_render_result lobe_render(const lobe_scene *scene, lobe_render_options options,
@@ -317,8 +369,8 @@ lobe_render_result lobe_render(const lobe_scene *scene, lobe_render_options opti
     if (model.ndf != LOBE_NDF_GGX || model.masking != LOBE_MASKING_SMITH)
         options.reflection.model.method = method_or_best(model);
     const coat_table **coats = find_coats(scene, &options.reflection);
-    if (!coats) return lobe_fail_memory(scene->name);
-    result = render_with(coats, scene, &options, film, statistics);
+    result = lobe_ranks_agree(coats ? LOBE_RENDER_OK : lobe_fail_memory(scene->name));
+    if (result == LOBE_RENDER_OK) result = render_with(coats, scene, &options, film, statistics);
     free(coats);
     return result;
 }

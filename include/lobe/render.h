@@ -38,7 +38,7 @@
  * refused.
  * Not promised: the bits of a picture from version to version or between processors of different
  * instruction sets (Embree picks its code by the processor). On one machine the same scene, options
- * and seed give the same bits on any number of threads.
+ * and seed give the same bits on any number of threads and processes, in parts and after any interruption.
  *
  * Any function may be called from any thread; one scene may be rendered by several threads at once.
  * A film is used by one thread at a time. */
@@ -199,6 +199,20 @@ typedef struct lobe_render_options {
     lobe_progress_function progress; /* NULL: none */
     void *progress_user;
     const volatile sig_atomic_t *cancel; /* not NULL: rendering ends soon after *cancel != 0 */
+    const char
+        *checkpoint; /* file that keeps what is finished, written now and then and at the end;
+                                  NULL: none */
+    double checkpoint_seconds; /* from one to the next; default 60 */
+    const char *resume; /* go on from this checkpoint, which is of the same scene, options and seed:
+                                  the bits are those of a render that was not interrupted. If it does not exist
+                                  and is `checkpoint` too, start. NULL: start */
+    double noise; /* stop at the end of a pass when lobe_render_statistics.noise is at most this;
+                                  0: never; default 0 */
+    uint32_t part,
+        parts; /* render tiles part, part + parts, … only, for lobe_film_merge; default 1, 1 */
+    lobe_warning_function
+        warning; /* a checkpoint could not be written: rendering goes on; NULL: dropped */
+    void *warning_user;
 } lobe_render_options;
 
 #define LOBE_RENDER_SIZE_MAX 32768
@@ -216,10 +230,14 @@ typedef struct lobe_render_statistics {
     uint64_t ggx_draws;
     uint64_t ggx_rejected;  /* of them below the shading or the geometric surface */
     double rejected_share;  /* ggx_rejected / ggx_draws */
-    double seconds;         /* of the wall clock */
-    double cpu_seconds;     /* of all threads together */
+    double seconds;         /* of the wall clock, those before a checkpoint included */
+    double cpu_seconds;     /* of all threads together; likewise */
     uint32_t pixel_samples; /* fewest samples of any pixel */
     int threads;            /* used */
+    /* Relative standard error, estimated: the root of the mean over the pixels of s^2/(m^2 + 0.01), m the mean of a
+     * pixel's luminance, s its standard error, told from two halves of the samples. NaN below 32 samples. */
+    double noise;
+    int has_failed_to_save; /* 1: the last checkpoint could not be written */
 } lobe_render_statistics;
 
 typedef struct lobe_film lobe_film;
@@ -231,11 +249,34 @@ typedef struct lobe_film lobe_film;
 LOBE_API lobe_render_result lobe_render(const lobe_scene *scene, lobe_render_options options,
                                         lobe_film **film, lobe_render_statistics *statistics);
 
+/* ---- Many processes -------------------------------------------------------------------------- */
+
+/* The name of the MPI library, as "Open MPI v4.1.4"; NULL: built without. */
+LOBE_API const char *lobe_ranks_library(void);
+
+/* Under mpirun: join the other processes. From then on all of them have to call lobe_render with the same arguments;
+ * rank 0 gets the film, the others NULL with LOBE_RENDER_OK. Otherwise nothing happens, and *rank is 0. Only the main
+ * thread may call this and lobe_render. */
+LOBE_API lobe_render_result lobe_ranks_join(int *rank);
+
+/* LOBE_RENDER_OK if all ranks say so; otherwise all get the result and the message of the first that does not. */
+LOBE_API lobe_render_result lobe_ranks_agree(lobe_render_result result);
+
+/* The end. Not after an interrupt: the others may be gone. */
+LOBE_API void lobe_ranks_leave(void);
+
 /* ---- Films ----------------------------------------------------------------------------------- */
 
 LOBE_API void lobe_film_free(lobe_film *film); /* NULL is fine */
 LOBE_API int lobe_film_width(const lobe_film *film);
 LOBE_API int lobe_film_height(const lobe_film *film);
+
+typedef struct lobe_film_samples {
+    uint32_t fewest, most; /* of any pixel */
+    uint32_t seeds;        /* how many were joined; 0: not known */
+} lobe_film_samples;
+
+LOBE_API lobe_film_samples lobe_film_get_samples(const lobe_film *film);
 
 /* Copy the means, rows from the top: width * height * 3 floats, or * lobe_aov_channels(aov). 0 if the
  * film does not hold this channel, otherwise 1. */
@@ -256,6 +297,7 @@ typedef struct lobe_film_write_options {
     float exposure;                    /* stops, for every format; default 0 */
     lobe_film_pixels pixels;           /* .exr only; default half */
     lobe_film_compression compression; /* .exr only; default ZIP */
+    int keep_seconds; /* .exr only: 1: write the time as an attribute, no two files are equal then; default 0 */
 } lobe_film_write_options;
 
 LOBE_API lobe_film_write_options lobe_film_default_write_options(void);
@@ -269,14 +311,23 @@ LOBE_API int lobe_film_can_write(const char *path);
 
 /* Write the film in the format of the file's ending, beside the final name, and rename it. .exr holds
  * the extra channels as layers ("albedo.R", …, "depth.Z", "rejected.Y",
- * "vndf-integral.Y") and scene, method, samples,
- * seed, seconds and version as attributes; .png is sRGB, 8 bit, dithered. */
+ * "vndf-integral.Y"), "samples.Y" where not all pixels have the same number, and scene, method, samples,
+ * seed, version and options as attributes; .png is sRGB, 8 bit, dithered. */
 LOBE_API lobe_render_result lobe_film_write(const lobe_film *film, const char *path,
                                             lobe_film_write_options options);
 
 /* A film of width * height * 3 floats, rows from the top. To be freed by lobe_film_free. */
 LOBE_API lobe_render_result lobe_film_from_rgb(const float *rgb, int width, int height,
                                                lobe_film **film);
+
+/* Join pictures of one scene and the same options: checkpoints, or .exr of lobe_render. Those of different seeds are
+ * averaged by the numbers of their samples; of one seed only parts, which share no pixel, go together: then the film has
+ * the bits of the whole render. The order of the paths does not matter. To be freed by lobe_film_free. */
+LOBE_API lobe_render_result lobe_film_merge(const char *const *paths, size_t count,
+                                            lobe_film **film);
+
+/* Write all that a film holds, as a checkpoint. */
+LOBE_API lobe_render_result lobe_film_save(const lobe_film *film, const char *path);
 
 /* Read .exr, .hdr, .pfm or 8-bit pictures as sRGB (colour only) to compare with; refused if a value is not
  * finite. To be freed by lobe_film_free. */

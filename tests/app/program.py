@@ -3,7 +3,9 @@ import csv
 import os
 import re
 import subprocess
+import tempfile
 import unittest
+from pathlib import Path
 
 PROGRAM = os.environ["LOBE_PROGRAM"]
 ERROR_LINE = re.compile(rb"lobe: [ -~]+: [ -~]+; [ -~]+\n")
@@ -35,6 +37,31 @@ class ProgramTest(unittest.TestCase):
         if where is not None:
             self.assertTrue(result.stderr.startswith(f"lobe: {where}: ".encode()), result.stderr)
         return result
+
+
+class FolderTest(ProgramTest):
+    """With an empty folder of its own."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def path(self, name):
+        return str(self.folder / name)
+
+    def bytes_of(self, name):
+        return (self.folder / name).read_bytes()
+
+
+class LongTest(FolderTest):
+    """Small renders that are kept as files."""
+    SMALL = ["cornell", "--size", "40x24", "--spp", "20"]
+
+    def render(self, name, *arguments):
+        """The bytes of the picture."""
+        self.done("render", *self.SMALL, "-o", self.path(name), *arguments)
+        return self.bytes_of(name)
 
 
 def main():

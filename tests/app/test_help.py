@@ -44,7 +44,7 @@ class HelpTest(ProgramTest):
         """An option without its value, or with one it has not, is known: the complaint differs."""
         for command in self.commands():
             options = dict(OPTION.findall(self.done(command, "--help").decode()))
-            self.assertGreaterEqual(len(options), 5)
+            self.assertGreaterEqual(len(options), 3)
             self.assertEqual(options.pop("--help"), "")
             for option, argument in options.items():
                 wrong = [option] if argument else [option + "=value"]

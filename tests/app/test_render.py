@@ -308,12 +308,12 @@ class GltfTest(RenderTest):
     def test_extensions(self):
         self.path("a.bin", self.POSITIONS)
         self.path("a.ppm", "P6 1 1 255 abc")
-        used = ["KHR_materials_unlit", "KHR_materials_clearcoat"]
+        used = ["KHR_materials_unlit", "KHR_materials_sheen"]
         scene = self.triangle("a.bin", "a.ppm", extensionsUsed=used)
         result = run("render", scene, *SMALL, "--json")
         self.assertEqual(result.returncode, 0)
         self.assertRegex(result.stderr, rb"\A" + ERROR_LINE.pattern + rb"\Z")
-        self.assertIn(b"KHR_materials_clearcoat", result.stderr)
+        self.assertIn(b"KHR_materials_sheen", result.stderr)
         self.rejected("render", scene, *SMALL, "--json", "--strict", where=scene)
         self.rejected("render", self.triangle("a.bin", "a.ppm", extensionsRequired=used), *SMALL,
                       "--json", where=scene)

@@ -1,0 +1,20 @@
+/* A picture of lobe_render back from OpenEXR, with the number of samples of every pixel. */
+#ifndef LOBE_RENDER_EXR_FILM_H
+#define LOBE_RENDER_EXR_FILM_H
+
+#include "film.h"
+
+/* The names of attributes and of the channel, for both directions. */
+#define EXR_SCENE "lobe.scene"
+#define EXR_METHOD "lobe.method"
+#define EXR_SEED "lobe.seed"
+#define EXR_SAMPLES "lobe.samples"
+#define EXR_OPTIONS "lobe.options"
+#define EXR_SAMPLES_LAYER "samples."
+
+/* Components of a channel as letters: "RGB". */
+const char *lobe_exr_components(lobe_aov aov);
+
+lobe_render_result lobe_exr_read_film(const char *path, lobe_film **film);
+
+#endif
