@@ -28,7 +28,25 @@ lobe_figure_result lobe_figure_fail_memory(void);
 #define LOBE_FIGURES(X)                                                                            \
     X(bound, "bound", "projected reflection bound, previous cap and bounded cap over longitude",   \
       "Eto & Tokuyoshi 2023, supplement, Fig. 1",                                                  \
-      LOBE_FIGURE_READS_ALPHA | LOBE_FIGURE_READS_WI | LOBE_FIGURE_READS_OPTIMAL)
+      LOBE_FIGURE_READS_ALPHA | LOBE_FIGURE_READS_WI | LOBE_FIGURE_READS_OPTIMAL)                  \
+    X(cz_fit, "cz-fit", "the rational fit of the conditional slope, the exact inverse, the error", \
+      "Heitz & d'Eon 2014, supplement 1, Fig. 2", 0)                                               \
+    X(newton, "newton", "residual of the Beckmann slope over angle and random number",             \
+      "after Jakob 2014", 0)                                                                       \
+    X(hit_probability, "hit-probability", "H of V-cavities below the shading plane",               \
+      "Tokuyoshi 2021, supplement, section 2.2", LOBE_FIGURE_READS_ALPHA)                          \
+    X(rejections, "rejections", "share of rejected draws over roughness and angle",                \
+      "after Eto & Tokuyoshi 2023",                                                                \
+      LOBE_FIGURE_READS_ALPHA | LOBE_FIGURE_READS_WI | LOBE_FIGURE_READS_SAMPLES)                  \
+    X(variance, "variance", "variance of a draw in a white furnace over roughness and angle",      \
+      "after Eto & Tokuyoshi 2023",                                                                \
+      LOBE_FIGURE_READS_ALPHA | LOBE_FIGURE_READS_WI | LOBE_FIGURE_READS_SAMPLES)                  \
+    X(furnace, "furnace", "the white furnace without and with compensations",                      \
+      "after Tokuyoshi & Eto 2024, supplement, section 2", 0)                                      \
+    X(albedo, "albedo", "albedo over angle and roughness, errors of the table and closed form",    \
+      "after Kulla & Conty 2017", 0)                                                               \
+    X(multiscatter, "multiscatter", "all scatterings on a metal: approximations and random walks", \
+      "after Turquin 2019", LOBE_FIGURE_READS_SAMPLES | LOBE_FIGURE_READS_SEED)
 
 typedef lobe_figure_result figure_function(run *r);
 

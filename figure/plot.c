@@ -60,7 +60,7 @@ static void y_axis(canvas *c, box b, axis a, int grid, int right) {
     }
     if (a.label)
         lobe_text_upward(c, c->theme->ink, TEXT_SIZE, ALIGN_CENTRE,
-                         edge + side * (widest + 7) + (right ? 5 : 0), b.y + 0.5 * b.height,
+                         edge + side * (widest + 9) + (right ? 5 : 0), b.y + 0.5 * b.height,
                          a.label);
 }
 
@@ -90,7 +90,7 @@ static int is_straight(const double a[2], const double b[2], const double c[2]) 
     const double dx = c[0] - a[0], dy = c[1] - a[1], length = hypot(dx, dy);
     const double along = (b[0] - a[0]) * dx + (b[1] - a[1]) * dy;
     const double across = fabs((b[0] - a[0]) * dy - (b[1] - a[1]) * dx);
-    return length < 12 && along >= 0 && along <= length * length && across <= 0.03 * length;
+    return length < 5 && along >= 0 && along <= length * length && across <= 0.01 * length;
 }
 
 static void find_point(const plot *p, double x, double y, double at[2]) {
