@@ -29,6 +29,16 @@ lobe_figure_result lobe_figure_fail_memory(void);
     X(bound, "bound", "projected reflection bound, previous cap and bounded cap over longitude",   \
       "Eto & Tokuyoshi 2023, supplement, Fig. 1",                                                  \
       LOBE_FIGURE_READS_ALPHA | LOBE_FIGURE_READS_WI | LOBE_FIGURE_READS_OPTIMAL)                  \
+    X(stretched, "stretched", "stretched space: useful region, caps and horizon draws",            \
+      "after Eto & Tokuyoshi 2023, Fig. 3",                                                        \
+      LOBE_FIGURE_READS_ALPHA | LOBE_FIGURE_READS_WI | LOBE_FIGURE_READS_SAMPLES |                 \
+          LOBE_FIGURE_READS_SEED)                                                                  \
+    X(visible_slopes_ggx, "visible-slopes-ggx", "density and draws of visible GGX slopes",         \
+      "Heitz & d'Eon 2014, supplement 1, Fig. 3",                                                  \
+      LOBE_FIGURE_READS_ALPHA | LOBE_FIGURE_READS_SAMPLES | LOBE_FIGURE_READS_SEED)                \
+    X(visible_slopes_beckmann, "visible-slopes-beckmann",                                          \
+      "density and draws of visible Beckmann slopes", "Heitz & d'Eon 2014, supplement 1, Fig. 1",  \
+      LOBE_FIGURE_READS_ALPHA | LOBE_FIGURE_READS_SAMPLES | LOBE_FIGURE_READS_SEED)                \
     X(cz_fit, "cz-fit", "the rational fit of the conditional slope, the exact inverse, the error", \
       "Heitz & d'Eon 2014, supplement 1, Fig. 2", 0)                                               \
     X(newton, "newton", "residual of the Beckmann slope over angle and random number",             \

@@ -38,22 +38,19 @@ lobe_figure_result lobe_figure_hit_probability(run *r) {
     const int sets = r->options->alpha[0] > 0 ? 1 : SETS;
     lobe_canvas_begin(&r->canvas, COLUMN_WIDTH, 190);
     lobe_table_begin(&r->table, "ndf,alpha_x,alpha_y,theta_deg,hit_probability");
-    char names[2 * SETS][48];
-    legend_entry entries[2 * SETS];
+    char names[SETS][32];
     view views[SETS];
-    for (int k = 0; k < 2 * sets; k++) {
-        const int set = k % sets;
-        const lobe_ndf ndf = k < sets ? LOBE_NDF_GGX : LOBE_NDF_BECKMANN;
-        views[set] = lobe_run_view(r, (view){{0, 0, 1}, {own[set], own[set]}});
-        snprintf(names[k], sizeof names[k], "%s, α = %.3g", k < sets ? "GGX" : "Beckmann",
-                 views[set].alpha[0]);
-        entries[k] = (legend_entry){names[k], pen_of(r, ndf, set)};
+    legend_entry entries[SETS];
+    for (int k = 0; k < sets; k++) {
+        views[k] = lobe_run_view(r, (view){{0, 0, 1}, {own[k], own[k]}});
+        snprintf(names[k], sizeof names[k], "α = %.3g", views[k].alpha[0]);
+        entries[k] = (legend_entry){names[k], pen_of(r, LOBE_NDF_GGX, k)};
     }
-    const double top = lobe_legend(&r->canvas, 11, 2 * sets, entries) + 10;
-    const plot p =
-        lobe_plot_begin(&r->canvas, (box){32, top, 196, 160 - top},
-                        (axis){"angle θ to the normal (degrees)", 80, 180, SCALE_DEGREES},
-                        (axis){"hit probability H", 0, 1.02, SCALE_LINEAR}, NULL);
+    const double top = lobe_legend(&r->canvas, 11, sets, entries) + 22;
+    const plot p = lobe_plot_begin(
+        &r->canvas, (box){32, top, 196, 160 - top},
+        (axis){"angle θ to the normal (degrees)", 80, 180, SCALE_DEGREES},
+        (axis){"hit probability H", 0, 1.02, SCALE_LINEAR}, "GGX solid, Beckmann dashed");
     for (int set = 0; set < sets; set++) {
         draw_curve(r, &p, LOBE_NDF_GGX, set, views[set]);
         draw_curve(r, &p, LOBE_NDF_BECKMANN, set, views[set]);
