@@ -74,7 +74,7 @@ enum { PARAMETERS = sizeof parameters / sizeof parameters[0] };
 static lobe_app_status list_figures(void) {
     for (int i = 0; i < lobe_figure_count(); i++) {
         const lobe_figure_info f = lobe_figure_at(i);
-        lobe_app_print("%-23s%s (%s)", f.name, f.about, f.source);
+        lobe_app_print("%-24s%s (%s)", f.name, f.about, f.source);
         const char *before = "; reads ";
         for (int k = 0; k < PARAMETERS; k++)
             if (f.reads & parameters[k].bit) {

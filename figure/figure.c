@@ -51,9 +51,13 @@ lobe_figure_options lobe_figure_default_options(void) {
     return (lobe_figure_options){.dpi = 216, .seed = 1};
 }
 
+int lobe_run_is_over(const run *r, uint64_t index) {
+    return index % 1024 == 0 && r->options->cancel && *r->options->cancel;
+}
+
 int lobe_run_goes_on(const run *r, double share) {
     if (r->options->progress) r->options->progress(r->options->user, share);
-    return !(r->options->cancel && *r->options->cancel);
+    return !lobe_run_is_over(r, 0);
 }
 
 static int is_given(vec3 v) {

@@ -15,6 +15,9 @@ typedef struct run {
 /* Tells the share that is done; 0: stop. */
 int lobe_run_goes_on(const run *r, double share);
 
+/* Whether the index-th of many steps should be the last: looks now and then. */
+int lobe_run_is_over(const run *r, uint64_t index);
+
 /* The roughness and direction of the options, or the figure's own. */
 view lobe_run_view(const run *r, view own);
 uint64_t lobe_run_samples(const run *r, uint64_t own);
@@ -43,6 +46,14 @@ lobe_figure_result lobe_figure_fail_memory(void);
       "Heitz & d'Eon 2014, supplement 1, Fig. 2", 0)                                               \
     X(newton, "newton", "residual of the Beckmann slope over angle and random number",             \
       "after Jakob 2014", 0)                                                                       \
+    X(ellipsoid, "ellipsoid", "the GGX ellipsoid, its hemisphere, and random numbers on it",       \
+      "Heitz 2018, Figs. 2-5", LOBE_FIGURE_READS_ALPHA | LOBE_FIGURE_READS_WI)                     \
+    X(caps, "caps", "a mirror fills a cap; draws that leave the surface, and bounded caps",        \
+      "Dupuy & Benyoub 2023, Figs. 4, 5; Eto & Tokuyoshi 2023, Fig. 3",                            \
+      LOBE_FIGURE_READS_ALPHA | LOBE_FIGURE_READS_WI | LOBE_FIGURE_READS_SAMPLES |                 \
+          LOBE_FIGURE_READS_SEED)                                                                  \
+    X(masking, "masking", "the five ways in which a V-cavity is seen",                             \
+      "Tokuyoshi 2021, supplement, Fig. 1", 0)                                                     \
     X(hit_probability, "hit-probability", "H of V-cavities below the shading plane",               \
       "Tokuyoshi 2021, supplement, section 2.2", LOBE_FIGURE_READS_ALPHA)                          \
     X(rejections, "rejections", "share of rejected draws over roughness and angle",                \
@@ -56,7 +67,9 @@ lobe_figure_result lobe_figure_fail_memory(void);
     X(albedo, "albedo", "albedo over angle and roughness, errors of the table and closed form",    \
       "after Kulla & Conty 2017", 0)                                                               \
     X(multiscatter, "multiscatter", "all scatterings on a metal: approximations and random walks", \
-      "after Turquin 2019", LOBE_FIGURE_READS_SAMPLES | LOBE_FIGURE_READS_SEED)
+      "after Turquin 2019", LOBE_FIGURE_READS_SAMPLES | LOBE_FIGURE_READS_SEED)                    \
+    X(normal_mapped, "normal-mapped", "shading normals that face away: bias of the normalisation", \
+      "Tokuyoshi 2021, supplement, Fig. 2", LOBE_FIGURE_READS_SPP | LOBE_FIGURE_READS_SEED)
 
 typedef lobe_figure_result figure_function(run *r);
 

@@ -43,7 +43,7 @@ static estimate walk_albedo(const run *r, double alpha, double theta) {
     const uint64_t count = lobe_run_samples(r, 10000);
     const lobe_reflectance f = metal();
     double sum = 0, squares = 0;
-    for (uint64_t k = 0; k < count; k++) {
+    for (uint64_t k = 0; k < count && !lobe_run_is_over(r, k); k++) {
         double weight;
         lobe_walk_sample(surface_of(alpha), &f, 1, lobe_direction(theta, 0), r->options->seed, k,
                          1000, &weight);

@@ -1,8 +1,8 @@
 #include "plot.h"
 
 #include <math.h>
-#include <stdlib.h>
 
+#include "pixels.h"
 #include "ticks.h"
 
 double lobe_plot_x(const plot *p, double x) {
@@ -140,37 +140,21 @@ void lobe_plot_dot(const plot *p, colour k, double radius, double x, double y) {
     lobe_dot(p->c, k, radius, lobe_plot_x(p, x), lobe_plot_y(p, y));
 }
 
-static uint32_t pixel_of(colour k) {
-    return (uint32_t)(255 * k.r + 0.5) << 16 | (uint32_t)(255 * k.g + 0.5) << 8 |
-           (uint32_t)(255 * k.b + 0.5);
+typedef struct cells {
+    grid grid;
+    colour paper;
+} cells;
+
+static colour cell_colour(const void *user, int column, int row) {
+    const cells *k = user;
+    const grid *g = &k->grid;
+    const double value = g->values[(g->rows - 1 - row) * g->columns + column];
+    return isnan(value) ? k->paper : g->map((value - g->low) / (g->high - g->low));
 }
 
-/* An image of one pixel a cell, scaled into the box. */
 static void paint_cells(canvas *c, box b, grid g) {
-    cairo_surface_t *image = cairo_image_surface_create(CAIRO_FORMAT_RGB24, g.columns, g.rows);
-    unsigned char *data = cairo_image_surface_get_data(image);
-    if (data) {
-        const int stride = cairo_image_surface_get_stride(image);
-        for (int row = 0; row < g.rows; row++) {
-            uint32_t *line = (uint32_t *)(void *)(data + (size_t)stride * (size_t)row);
-            const double *values = g.values + (size_t)(g.rows - 1 - row) * (size_t)g.columns;
-            for (int k = 0; k < g.columns; k++) {
-                const double t = (values[k] - g.low) / (g.high - g.low);
-                line[k] = pixel_of(isnan(t) ? c->theme->paper : g.map(t));
-            }
-        }
-        cairo_surface_mark_dirty(image);
-    }
-    cairo_save(c->cr);
-    cairo_rectangle(c->cr, b.x, b.y, b.width, b.height);
-    cairo_clip(c->cr);
-    cairo_translate(c->cr, b.x, b.y);
-    cairo_scale(c->cr, b.width / g.columns, b.height / g.rows);
-    cairo_set_source_surface(c->cr, image, 0, 0);
-    cairo_pattern_set_filter(cairo_get_source(c->cr), CAIRO_FILTER_NEAREST);
-    cairo_paint(c->cr);
-    cairo_restore(c->cr);
-    cairo_surface_destroy(image);
+    const cells k = {g, c->theme->paper};
+    lobe_paint_pixels(c, b, g.columns, g.rows, cell_colour, &k);
 }
 
 void lobe_plot_grid(const plot *p, grid g) {

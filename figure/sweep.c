@@ -22,7 +22,7 @@ void lobe_sweep_numbers(uint64_t index, uint64_t samples, double u[3]) {
 
 static double measure(run *r, const sweep *s, view v, lobe_method method, uint64_t samples) {
     const lobe_reflection_f64 model = lobe_ggx_model(v, method);
-    const double number = s->measure(&model, lobe_run_samples(r, samples));
+    const double number = s->measure(r, &model, lobe_run_samples(r, samples));
     char label[64];
     snprintf(label, sizeof label, "%s", lobe_method_name(method));
     const double row[] = {acos(v.wi.z) * 180 / FIGURE_PI, atan2(v.wi.y, v.wi.x) * 180 / FIGURE_PI,

@@ -6,7 +6,7 @@
 #include "figures.h"
 #include "plot.h"
 
-typedef double sweep_measure(const lobe_reflection_f64 *model, uint64_t samples);
+typedef double sweep_measure(const run *r, const lobe_reflection_f64 *model, uint64_t samples);
 
 typedef struct sweep {
     sweep_measure *measure;

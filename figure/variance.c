@@ -3,9 +3,9 @@
 
 #include "sweep.h"
 
-static double variance(const lobe_reflection_f64 *model, uint64_t samples) {
+static double variance(const run *r, const lobe_reflection_f64 *model, uint64_t samples) {
     double sum = 0, squares = 0;
-    for (uint64_t k = 0; k < samples; k++) {
+    for (uint64_t k = 0; k < samples && !lobe_run_is_over(r, k); k++) {
         double u[3];
         lobe_sweep_numbers(k, samples, u);
         const double weight = lobe_reflection_sample_f64(model, u[0], u[1], u[2]).weight;

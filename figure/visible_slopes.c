@@ -58,7 +58,7 @@ static void measure(const run *r, const lobe_reflection_f64 *model, slopes *s) {
     for (int i = 0; i < SIDE * SIDE; i++)
         s->density[i] = slope_density(model, s->at[i % SIDE], s->at[i / SIDE]);
     const uint64_t count = lobe_run_samples(r, 100000);
-    for (uint64_t k = 0; k < count; k++) {
+    for (uint64_t k = 0; k < count && !lobe_run_is_over(r, k); k++) {
         double u[3];
         lobe_draw_numbers_f64(r->options->seed, k, u);
         const vec3 m = lobe_reflection_sample_f64(model, u[0], u[1], u[2]).m;
