@@ -115,9 +115,16 @@ void lobe_arrow(canvas *c, pen p, double x0, double y0, double x1, double y1) {
     cairo_fill(c->cr);
 }
 
-void lobe_dot(canvas *c, colour k, double radius, double x, double y) {
-    cairo_new_path(c->cr);
-    cairo_arc(c->cr, x, y, radius, 0, 6.283185307179586);
+/* A line without length has a round end, and nothing else. */
+void lobe_add_dot(canvas *c, double x, double y) {
+    cairo_move_to(c->cr, x, y);
+    cairo_line_to(c->cr, x, y);
+}
+
+void lobe_stroke_dots(canvas *c, colour k, double radius) {
+    cairo_set_line_cap(c->cr, CAIRO_LINE_CAP_ROUND);
+    cairo_set_line_width(c->cr, 2 * radius);
     lobe_set_colour(c, k, 1);
-    cairo_fill(c->cr);
+    cairo_stroke(c->cr);
+    cairo_set_line_cap(c->cr, CAIRO_LINE_CAP_BUTT);
 }

@@ -51,6 +51,8 @@ void lobe_set_colour(canvas *c, colour k, double opacity);
 void lobe_stroke(canvas *c, pen p);
 void lobe_stroke_line(canvas *c, pen p, double x0, double y0, double x1, double y1);
 void lobe_arrow(canvas *c, pen p, double x0, double y0, double x1, double y1);
-void lobe_dot(canvas *c, colour k, double radius, double x, double y);
+/* Dots: one path for all of a colour keeps files small. */
+void lobe_add_dot(canvas *c, double x, double y);
+void lobe_stroke_dots(canvas *c, colour k, double radius);
 
 #endif

@@ -36,27 +36,33 @@ static pen method_pen(const canvas *c, lobe_method method) {
                                       : lobe_pen(c, HUE_RED, DASH_SOLID);
 }
 
-/* Draws of a method on the sphere of stretched reflections; returns the share that is rejected. */
-static double draw_cap(run *r, view v, lobe_method method, double x, double y, double radius) {
+/* Draws that leave the surface, or those that do not. */
+static void draw_dots(run *r, const globe *g, view v, lobe_method method, int leaving) {
     canvas *c = &r->canvas;
-    const vec3 i = lobe_stretched_wi(v);
-    const globe g =
-        lobe_globe(c, x, y, radius, lobe_direction(78, atan2(i.y, i.x) * 180 / FIGURE_PI - 70));
     const lobe_reflection_f64 model = lobe_ggx_model(v, method);
     const uint64_t wanted = lobe_run_samples(r, 700), count = wanted < 20000 ? wanted : 20000;
-    lobe_globe_outline(&g);
     for (uint64_t k = 0; k < count; k++) {
         double u[3];
         lobe_draw_numbers_f64(r->options->seed, k, u);
         const lobe_reflection_draw_f64 d = lobe_reflection_sample_f64(&model, u[0], u[1], u[2]);
         const vec3 o = lobe_stretched_wo(v, d.m);
-        const int leaves = d.pdf > 0;
-        const double row[] = {o.x, o.y, o.z, leaves};
+        if ((d.pdf > 0) != leaving) continue;
+        const double row[] = {o.x, o.y, o.z, leaving};
         lobe_table_row(&r->table, lobe_method_name(method), 4, row);
-        if (lobe_dot3(o, g.toward) > 0)
-            lobe_dot(c, c->theme->hues[leaves ? HUE_ORANGE : HUE_BLUE], 0.75, lobe_globe_x(&g, o),
-                     lobe_globe_y(&g, o));
+        if (lobe_dot3(o, g->toward) > 0) lobe_add_dot(c, lobe_globe_x(g, o), lobe_globe_y(g, o));
     }
+    lobe_stroke_dots(c, c->theme->hues[leaving ? HUE_ORANGE : HUE_BLUE], 0.75);
+}
+
+/* A method on the sphere of stretched reflections. */
+static void draw_cap(run *r, view v, lobe_method method, double x, double y, double radius) {
+    canvas *c = &r->canvas;
+    const vec3 i = lobe_stretched_wi(v);
+    const globe g =
+        lobe_globe(c, x, y, radius, lobe_direction(78, atan2(i.y, i.x) * 180 / FIGURE_PI - 70));
+    lobe_globe_outline(&g);
+    draw_dots(r, &g, v, method, 1);
+    draw_dots(r, &g, v, method, 0);
     const cap k = lobe_cap_of(v, method);
     vec3 rim[RIM];
     for (int j = 0; j < RIM; j++) rim[j] = lobe_cap_rim(k, 2 * j);
@@ -65,7 +71,6 @@ static double draw_cap(run *r, view v, lobe_method method, double x, double y, d
     lobe_globe_arrow(&g, (pen){c->theme->ink, DASH_SOLID, 0.9}, centre, tip);
     lobe_text(c, c->theme->ink, TEXT_SIZE, ALIGN_LEFT, lobe_globe_x(&g, tip) + 2,
               lobe_globe_y(&g, tip) - 1, "î");
-    return 1 - lobe_reflection_acceptance_f64(&model);
 }
 
 lobe_figure_result lobe_figure_caps(run *r) {
@@ -85,7 +90,9 @@ lobe_figure_result lobe_figure_caps(run *r) {
     for (int k = 0; k < 2; k++) {
         char title[96];
         const double x = 252 + 168 * k;
-        const double rejected = draw_cap(r, v, methods[k], x, 116, 66);
+        const lobe_reflection_f64 model = lobe_ggx_model(v, methods[k]);
+        const double rejected = 1 - lobe_reflection_acceptance_f64(&model);
+        draw_cap(r, v, methods[k], x, 116, 66);
         snprintf(title, sizeof title, "(%c) %s: %.1f %% rejected", 'b' + k,
                  lobe_method_name(methods[k]), 100 * rejected);
         lobe_text(c, c->theme->ink, TEXT_SIZE, ALIGN_CENTRE, x, 28, title);

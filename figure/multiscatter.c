@@ -64,7 +64,7 @@ static int draw_walks(run *r, const plot *p, double alpha, double done) {
         lobe_table_row(&r->table, NULL, 7, row);
         const double x[2] = {theta, theta}, y[2] = {e.mean - 2 * e.error, e.mean + 2 * e.error};
         lobe_plot_line(p, (pen){r->canvas.theme->ink, DASH_SOLID, 0.8}, 2, x, y);
-        lobe_plot_dot(p, r->canvas.theme->ink, 1.3, theta, e.mean);
+        lobe_plot_dots(p, r->canvas.theme->ink, 1.3, 1, &theta, &e.mean);
         if (!lobe_run_goes_on(r, done + (i + 1.0) / (WALKS * SETS))) return 0;
     }
     return 1;

@@ -119,7 +119,7 @@ static errors find_errors(const pictures *p, kind k) {
 
 static colour error_colour(const void *user, int column, int row) {
     const errors *e = user;
-    return lobe_map_diverging(0.5 + 1.25 * e->block[row * (WIDTH / BLOCK) + column]);
+    return lobe_map_diverging(0.5 + e->block[row * (WIDTH / BLOCK) + column]);
 }
 
 static void keep_row(run *r, int model, const pictures *p) {
@@ -159,7 +159,7 @@ static void draw_frame(run *r) {
     lobe_table_begin(&r->table, "model,reference,previous,unbiased,least_integral");
     for (int k = 0; k < 5; k++)
         lobe_text(c, c->theme->ink, TEXT_SIZE, ALIGN_CENTRE, 22 + 46 + 96 * k, 14, heads[k]);
-    const axis error = {"error (%)", -40, 40, SCALE_LINEAR},
+    const axis error = {"error (%)", -50, 50, SCALE_LINEAR},
                integral = {"integral", 0, 1, SCALE_LINEAR};
     lobe_colour_bar(c, (box){22 + 104, 252, 76, 6}, lobe_map_diverging, error);
     lobe_colour_bar(c, (box){22 + 200, 252, 76, 6}, lobe_map_sequential, integral);

@@ -135,9 +135,12 @@ void lobe_plot_fill(const plot *p, colour k, double opacity, int count, const do
     cairo_restore(p->c->cr);
 }
 
-void lobe_plot_dot(const plot *p, colour k, double radius, double x, double y) {
-    if (!(x >= p->x.low && x <= p->x.high && y >= p->y.low && y <= p->y.high)) return;
-    lobe_dot(p->c, k, radius, lobe_plot_x(p, x), lobe_plot_y(p, y));
+void lobe_plot_dots(const plot *p, colour k, double radius, int count, const double *x,
+                    const double *y) {
+    for (int i = 0; i < count; i++)
+        if (x[i] >= p->x.low && x[i] <= p->x.high && y[i] >= p->y.low && y[i] <= p->y.high)
+            lobe_add_dot(p->c, lobe_plot_x(p, x[i]), lobe_plot_y(p, y[i]));
+    lobe_stroke_dots(p->c, k, radius);
 }
 
 typedef struct cells {

@@ -32,7 +32,8 @@ double lobe_plot_y(const plot *p, double y);
 void lobe_plot_line(const plot *p, pen pen, int count, const double *x, const double *y);
 void lobe_plot_fill(const plot *p, colour k, double opacity, int count, const double *x,
                     const double *y);
-void lobe_plot_dot(const plot *p, colour k, double radius, double x, double y);
+void lobe_plot_dots(const plot *p, colour k, double radius, int count, const double *x,
+                    const double *y);
 
 /* values[row * columns + column], from the lower left corner; NaN stays the paper. */
 typedef struct grid {

@@ -42,21 +42,26 @@ static void on_disk(view v, vec3 o, double at[2]) {
     at[1] = lobe_dot3(m, t2);
 }
 
+/* The stretched reflection of the k-th draw. */
+static vec3 horizon_draw(const run *r, view v, uint64_t k) {
+    const lobe_reflection_f64 model = lobe_ggx_model(v, LOBE_METHOD_HORIZON_UNIFORM);
+    double u[3];
+    lobe_draw_numbers_f64(r->options->seed, k, u);
+    return lobe_stretched_wo(v, lobe_reflection_sample_f64(&model, u[0], u[1], u[2]).m);
+}
+
 static void draw_sphere(run *r, view v, const rims *c, uint64_t draws, box b) {
     const vec3 i = lobe_stretched_wi(v);
     const double azimuth = atan2(i.y, i.x) * 180 / FIGURE_PI;
     const globe g = lobe_globe(&r->canvas, b.x + 0.5 * b.width, b.y + 0.5 * b.height, 0.5 * b.width,
                                lobe_direction(70, azimuth - 65));
-    const lobe_reflection_f64 model = lobe_ggx_model(v, LOBE_METHOD_HORIZON_UNIFORM);
     lobe_globe_outline(&g);
     for (uint64_t k = 0; k < draws; k++) {
-        double u[3];
-        lobe_draw_numbers_f64(r->options->seed, k, u);
-        const vec3 o = lobe_stretched_wo(v, lobe_reflection_sample_f64(&model, u[0], u[1], u[2]).m);
+        const vec3 o = horizon_draw(r, v, k);
         if (lobe_dot3(o, g.toward) > 0)
-            lobe_dot(&r->canvas, r->canvas.theme->hues[HUE_ORANGE], 0.7, lobe_globe_x(&g, o),
-                     lobe_globe_y(&g, o));
+            lobe_add_dot(&r->canvas, lobe_globe_x(&g, o), lobe_globe_y(&g, o));
     }
+    lobe_stroke_dots(&r->canvas, r->canvas.theme->hues[HUE_ORANGE], 0.7);
     for (int k = 0; k < CURVES; k++) lobe_globe_curve(&g, pen_of(r, k), STEPS, c->o[k]);
     const pen ink = {r->canvas.theme->ink, DASH_SOLID, 0.9};
     const vec3 centre = {0, 0, 0}, normal = {0, 0, 1.12}, tip = lobe_mix3(1.12, i, 0, i);
@@ -72,14 +77,12 @@ static void draw_disk(run *r, view v, const rims *c, uint64_t draws, box b) {
     const plot p = lobe_plot_begin(
         &r->canvas, b, (axis){"across î, horizontal", -1, 1, SCALE_LINEAR},
         (axis){"across î, upward", -1, 1, SCALE_LINEAR}, "stretched normals m, seen along î");
-    const lobe_reflection_f64 model = lobe_ggx_model(v, LOBE_METHOD_HORIZON_UNIFORM);
     for (uint64_t k = 0; k < draws; k++) {
-        double u[3], at[2];
-        lobe_draw_numbers_f64(r->options->seed, k, u);
-        on_disk(v, lobe_stretched_wo(v, lobe_reflection_sample_f64(&model, u[0], u[1], u[2]).m),
-                at);
-        lobe_plot_dot(&p, r->canvas.theme->hues[HUE_ORANGE], 0.7, at[0], at[1]);
+        double at[2];
+        on_disk(v, horizon_draw(r, v, k), at);
+        lobe_add_dot(&r->canvas, lobe_plot_x(&p, at[0]), lobe_plot_y(&p, at[1]));
     }
+    lobe_stroke_dots(&r->canvas, r->canvas.theme->hues[HUE_ORANGE], 0.7);
     double circle[2][STEPS];
     for (int i = 0; i < STEPS; i++) {
         circle[0][i] = cos(0.5 * i * FIGURE_PI / 180);
@@ -104,7 +107,7 @@ static void draw_disk(run *r, view v, const rims *c, uint64_t draws, box b) {
 
 lobe_figure_result lobe_figure_stretched(run *r) {
     const view v = lobe_run_view(r, (view){lobe_direction(40, 45), {0.2, 0.8}});
-    const uint64_t draws = lobe_run_samples(r, 400) < DOTS ? lobe_run_samples(r, 400) : DOTS;
+    const uint64_t draws = lobe_run_samples(r, 300) < DOTS ? lobe_run_samples(r, 300) : DOTS;
     rims c;
     char title[128];
     find_rims(v, &c);

@@ -75,11 +75,9 @@ static void keep_rows(run *r, double theta, const slopes *s) {
 }
 
 static void draw_marginal(run *r, const slopes *s, int k, box b, axis x, const char *label) {
-    const plot p = lobe_plot_begin(&r->canvas, b, x, (axis){label, 0, 0.6, SCALE_LINEAR}, NULL);
+    const plot p = lobe_plot_begin(&r->canvas, b, x, (axis){label, 0, 0.65, SCALE_LINEAR}, NULL);
     lobe_plot_line(&p, lobe_pen(&r->canvas, HUE_BLUE, DASH_SOLID), SIDE, s->at, s->marginal[k]);
-    for (int i = 0; i < SIDE; i++)
-        lobe_plot_dot(&p, r->canvas.theme->hues[HUE_ORANGE], 1.1, s->at[i],
-                      s->marginal_drawn[k][i]);
+    lobe_plot_dots(&p, r->canvas.theme->hues[HUE_ORANGE], 1.1, SIDE, s->at, s->marginal_drawn[k]);
 }
 
 static void draw_column(run *r, int index, const slopes *s) {
