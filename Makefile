@@ -1,6 +1,6 @@
 # The front door. The build itself is CMake's; see CMakePresets.json.
 
-.PHONY: all demo check bench dropin horizon-results clean help
+.PHONY: all demo check bench dropin horizon-results figures clean help
 
 all:
 	@tools/setup.sh build
@@ -24,6 +24,9 @@ horizon-results: all
 	@cc -O2 -Iinclude tools/numerics/furnace_variance.c build/liblobe.a -lm -o build/furnace_variance
 	@tools/horizon_results.py
 
+figures: all
+	@tools/figures.sh
+
 clean:
 	rm -rf build
 
@@ -34,4 +37,5 @@ help:
 	@echo "make bench   time every sampler against its published listing"
 	@echo "make dropin  single files of the samplers in C, GLSL and HLSL"
 	@echo "make horizon-results  measure docs/horizon-results.md (needs python3-numpy)"
+	@echo "make figures  draw every figure of the papers into docs/figures"
 	@echo "make clean   remove build/"

@@ -24,6 +24,7 @@ static const struct {
     {"render", lobe_app_render, "path-trace a scene"},
     {"compare", lobe_app_compare, "tell which method is better on a scene, or pictures apart"},
     {"merge", lobe_app_merge, "join renders of several seeds or parts"},
+    {"figure", lobe_app_figure, "draw a figure of the papers"},
 };
 
 enum { COMMANDS = sizeof commands / sizeof commands[0] };

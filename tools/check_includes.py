@@ -21,6 +21,7 @@ MAY_INCLUDE = {
     "bindings": {"include"},
     "examples": {"include"},
     "bench": {"include"},
+    "figure": {"include"},
     "tests": None,  # everything
 }
 FREESTANDING = {"float.h", "limits.h", "stdbool.h", "stddef.h", "stdint.h"}

@@ -1,0 +1,6 @@
+/* Supplement 1 of Heitz & d'Eon 2014, Fig. 3. */
+#include "visible_slopes.h"
+
+lobe_figure_result lobe_figure_visible_slopes_ggx(run *r) {
+    return lobe_figure_visible_slopes(r, LOBE_NDF_GGX);
+}
