@@ -29,7 +29,16 @@ class BenchTest(ProgramTest):
         self.assertEqual(lines[0].split()[:3], ["ndf", "masking", "method"])
         self.assertEqual(lines[1].split()[:4], ["ggx", "smith", "caps", "call"])
 
+    def test_page(self):
+        page = self.done("bench", "--quick", "--html", "--only", "smith bounded call").decode()
+        self.assertTrue(page.startswith("<!doctype html>"))
+        self.assertTrue(page.endswith("</html>\n"))
+        self.assertEqual(page.count("class=row"), 4)
+        self.assertNotIn("src=", page)
+        self.assertNotIn("href=", page)
+
     def test_errors(self):
+        self.rejected("bench", "--json", "--html", where="--html")
         self.rejected("bench", "--only", "no such row", where="--only")
         self.rejected("bench", "--only", "", where="--only")
         self.rejected("bench", "file", where="file")
