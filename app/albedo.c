@@ -7,6 +7,7 @@
 #include <lobe/walk.h>
 
 #include "albedo_dielectric.h"
+#include "albedo_draws.h"
 #include "commands.h"
 #include "dielectric.h"
 #include "interrupt.h"
@@ -14,10 +15,18 @@
 #include "number.h"
 #include "table.h"
 
-typedef enum albedo_method { METHOD_QUADRATURE, METHOD_TABLE, METHOD_FIT } albedo_method;
+/* From METHOD_DRAWS on, the samplers of lobe_method. */
+typedef enum albedo_method {
+    METHOD_QUADRATURE,
+    METHOD_TABLE,
+    METHOD_FIT,
+    METHOD_DRAWS
+} albedo_method;
 typedef enum compensation { COMPENSATION_NONE, KULLA_CONTY, TURQUIN, WALK } compensation;
 
-static const char *const methods[] = {"quadrature", "table", "fit", NULL};
+#define METHOD_NAME(ID, name, about) name,
+static const char *const methods[] = {"quadrature", "table", "fit", LOBE_METHODS(METHOD_NAME) NULL};
+#undef METHOD_NAME
 static const char *const compensations[] = {"none", "kulla-conty", "turquin", "walk", NULL};
 static const char *const formats[] = {"csv", "ndjson", NULL};
 
@@ -38,7 +47,7 @@ typedef struct albedo_values {
     cosine_list mu;
     law_list fresnel;
     int method, compensation, format;
-    uint64_t walks, seed;
+    uint64_t walks, samples, seed;
     bool json;
 } albedo_values;
 
@@ -98,8 +107,12 @@ static const lobe_app_option options[] = {
      "instead "
      "of --mu",
      lobe_app_read_direction, MEMBER(model.wi), NULL},
-    {"--method", "NAME", "quadrature", "where E comes from; fit: Smith, equal roughnesses",
+    {"--method", "NAME", "quadrature",
+     "where E comes from; fit: Smith, equal roughnesses; the name of a sampler: the mean weight of "
+     "its draws",
      lobe_app_read_choice, MEMBER(method), methods},
+    {"--samples", "N", "65536", "draws a row by --method SAMPLER, from 1 to 1e9", lobe_app_read_u64,
+     MEMBER(samples), NULL},
     {"--multiscatter", "NAME", "none",
      "what makes up for the scatterings after the first; walk: they themselves, by random walks",
      lobe_app_read_choice, MEMBER(compensation), compensations},
@@ -109,7 +122,7 @@ static const lobe_app_option options[] = {
      read_laws, MEMBER(fresnel), NULL},
     {"--walks", "N", "1000000", "random walks a row, from 1 to 1e9", lobe_app_read_u64,
      MEMBER(walks), NULL},
-    {"--seed", "S", "1", "of the random walks", lobe_app_read_u64, MEMBER(seed), NULL},
+    {"--seed", "S", "1", "of the random walks and draws", lobe_app_read_u64, MEMBER(seed), NULL},
     {"--format", "NAME", "csv", "of the output", lobe_app_read_choice, MEMBER(format), formats},
     {"--json", NULL, NULL, "the same as --format ndjson", NULL, MEMBER(json), NULL},
     {0}};
@@ -117,8 +130,8 @@ static const lobe_app_option options[] = {
 
 /* The model options that an integral knows. */
 static void pick_model_options(lobe_app_option *picked) {
-    static const char *const names[] = {"--ndf", "--masking", "--alpha",
-                                        "--g2",  "--bsdf",    "--transport"};
+    static const char *const names[] = {"--ndf",  "--masking",   "--alpha", "--g2",
+                                        "--bsdf", "--transport", "--floor", "--geometric-normal"};
     for (size_t k = 0; k < sizeof names / sizeof names[0]; k++)
         for (const lobe_app_option *o = lobe_app_model_options; o->name; o++)
             if (strcmp(o->name, names[k]) == 0) *picked++ = *o;
@@ -130,12 +143,20 @@ static void pick_model_options(lobe_app_option *picked) {
 typedef struct source {
     lobe_microsurface surface;
     albedo_method method;
+    lobe_vec3_f64 plane; /* geometric normal */
+    bool is_tilted;      /* against the shading normal */
+    lobe_app_draws draws;
     lobe_albedo_f32 table;
     double missing_average; /* 1 - E_avg as the method says it, */
     double missing;         /* and as it makes it: the average of its 1 - E */
 } source;
 
-/* 1 - E */
+static double quadrature(const source *s, lobe_reflectance f, lobe_vec3_f64 w) {
+    return s->is_tilted ? lobe_albedo_above(s->surface, f, w, s->plane, LOBE_EFFORT_FINE)
+                        : lobe_albedo(s->surface, f, w, LOBE_EFFORT_FINE);
+}
+
+/* 1 - E, but by draws */
 static double missing_toward(const source *s, lobe_vec3_f64 w) {
     switch (s->method) {
     case METHOD_TABLE:
@@ -144,9 +165,10 @@ static double missing_toward(const source *s, lobe_vec3_f64 w) {
     case METHOD_FIT:
         return lobe_albedo_fit_missing_f64(s->surface.ndf, s->surface.g2, s->surface.alpha_x, w.z);
     case METHOD_QUADRATURE:
+    case METHOD_DRAWS:
         break;
     }
-    return 1 - lobe_albedo(s->surface, lobe_reflectance_one(), w, LOBE_EFFORT_FINE);
+    return 1 - quadrature(s, lobe_reflectance_one(), w);
 }
 
 /* 1/pi * integral of (1 - E) cosine: even steps of t, cosine = t^4; a quarter of the azimuths. */
@@ -165,8 +187,24 @@ static double missing_of(const source *s) {
     return sum / (STEPS * turns);
 }
 
+static lobe_app_draws draws_of(const albedo_values *v) {
+    lobe_app_draws d = {.options = lobe_reflection_default_options(),
+                        .alpha = {v->model.alpha[0], v->model.alpha[1]},
+                        .plane = v->model.plane,
+                        .count = v->samples,
+                        .seed = v->seed};
+    d.options.model = (lobe_model){(lobe_ndf)v->model.ndf, (lobe_masking)v->model.masking,
+                                   (lobe_method)(v->method - METHOD_DRAWS)};
+    d.options.g2 = (lobe_g2)v->model.g2;
+    d.options.floor = v->model.floor;
+    return d;
+}
+
 static source source_of(const albedo_values *v) {
-    source s = {.method = (albedo_method)v->method};
+    source s = {.method = v->method < METHOD_DRAWS ? (albedo_method)v->method : METHOD_DRAWS,
+                .plane = v->model.plane,
+                .is_tilted = v->model.plane.z < 1,
+                .draws = draws_of(v)};
     s.surface = (lobe_microsurface){(lobe_ndf)v->model.ndf, (lobe_masking)v->model.masking,
                                     (lobe_g2)v->model.g2, v->model.alpha[0], v->model.alpha[1]};
     s.table = lobe_albedo_prepare_f32(s.surface.ndf, s.surface.masking, s.surface.g2,
@@ -179,16 +217,36 @@ static source source_of(const albedo_values *v) {
     else
         s.missing_average =
             fmax(1 - lobe_albedo_average(s.surface, lobe_reflectance_one(), LOBE_EFFORT_FINE), 0);
-    s.missing = s.method == METHOD_QUADRATURE ? s.missing_average : missing_of(&s);
+    const bool is_exact = s.method == METHOD_QUADRATURE || s.method == METHOD_DRAWS;
+    s.missing = is_exact ? s.missing_average : missing_of(&s);
     return s;
 }
 
 /* ---- Rows ------------------------------------------------------------------------------------ */
 
-/* All that leaves toward `wi`: the first scattering by quadrature, the others as compensated. */
-static double furnace_of(const source *s, lobe_reflectance f, compensation c, lobe_vec3_f64 wi,
+/* One direction: 1 - E, and what the first scattering reflects by each law. */
+typedef struct scattering {
+    double lacks, first[LAWS_MAX];
+} scattering;
+
+/* false: interrupted. */
+static bool scatter(const albedo_values *v, const source *s, lobe_vec3_f64 wi, scattering *once) {
+    const law_list *laws = &v->fresnel;
+    if (s->method == METHOD_DRAWS) {
+        double e;
+        if (!lobe_app_albedo_by_draws(&s->draws, wi, laws->law, laws->count, &e, once->first))
+            return false;
+        once->lacks = 1 - e;
+        return true;
+    }
+    once->lacks = missing_toward(s, wi);
+    for (int k = 0; k < laws->count; k++) once->first[k] = quadrature(s, laws->law[k], wi);
+    return true;
+}
+
+/* All that leaves: the first scattering, the others as compensated. */
+static double furnace_of(const source *s, lobe_reflectance f, compensation c, double first,
                          double lacks, double f_ms) {
-    const double first = lobe_albedo(s->surface, f, wi, LOBE_EFFORT_FINE);
     if (c == TURQUIN)
         return first * lobe_multiscatter_turquin_f64(lobe_reflectance_at(f, 1.0), lacks);
     if (c == KULLA_CONTY && s->missing_average > 0)
@@ -212,26 +270,23 @@ static bool walk(const albedo_values *v, lobe_microsurface s, lobe_vec3_f64 wi,
 
 static const char *const columns[] = {"mu", "e", "e_avg", "f_avg", "f_ms", "furnace", NULL};
 
-/* The colour of the scatterings after the first, as walked. */
-static double walked_fms(const source *s, lobe_reflectance f, lobe_vec3_f64 wi, double lacks,
-                         double walked) {
-    const double first = lobe_albedo(s->surface, f, wi, LOBE_EFFORT_FINE);
-    return lacks > 0 ? (walked - first) / lacks : 1;
-}
-
 /* false: standard output is closed, or interrupted. */
 static bool write_direction(const albedo_values *v, const source *s, const lobe_app_table *table,
                             lobe_vec3_f64 wi) {
     const compensation c = (compensation)v->compensation;
     double walked[LAWS_MAX];
+    scattering once;
     if (c == WALK && !walk(v, s->surface, wi, walked)) return false;
-    const double lacks = missing_toward(s, wi);
+    if (!scatter(v, s, wi, &once)) return false;
+    const double lacks = once.lacks;
     for (int k = 0; k < v->fresnel.count; k++) {
         const lobe_reflectance f = v->fresnel.law[k];
         const double f_avg = lobe_reflectance_average(f);
-        const double f_ms = c == WALK ? walked_fms(s, f, wi, lacks, walked[k])
-                                      : lobe_multiscatter_fms_f64(f_avg, s->missing_average);
-        const double furnace = c == WALK ? walked[k] : furnace_of(s, f, c, wi, lacks, f_ms);
+        const double f_ms = c != WALK   ? lobe_multiscatter_fms_f64(f_avg, s->missing_average)
+                            : lacks > 0 ? (walked[k] - once.first[k]) / lacks
+                                        : 1;
+        const double furnace =
+            c == WALK ? walked[k] : furnace_of(s, f, c, once.first[k], lacks, f_ms);
         const double row[] = {wi.z, 1 - lacks, 1 - s->missing_average, f_avg, f_ms, furnace};
         if (!lobe_app_write_row(table, row)) return false;
     }
@@ -246,7 +301,19 @@ static lobe_app_dielectric_surface dielectric_of(const albedo_values *v) {
     s.options.g2 = (lobe_g2)v->model.g2;
     s.options.transport = (lobe_transport)v->model.transport;
     s.options.compensate = v->compensation == TURQUIN;
+    s.walks = v->compensation == WALK ? v->walks : 0;
+    s.seed = v->seed;
     return s;
+}
+
+static lobe_app_status check_walks(const albedo_values *v) {
+    if (v->compensation == WALK &&
+        (v->model.masking != LOBE_MASKING_SMITH || v->model.g2 != LOBE_G2_CORRELATED))
+        return lobe_app_reject("--multiscatter", "take another, or leave it out",
+                               "walks are known for --masking smith --g2 correlated only");
+    if (v->walks < 1 || v->walks > 1000000000)
+        return lobe_app_reject("--walks", "give 1 to 1000000000", "out of range");
+    return LOBE_APP_DONE;
 }
 
 static lobe_app_status check_dielectric(const albedo_values *v) {
@@ -256,16 +323,68 @@ static lobe_app_status check_dielectric(const albedo_values *v) {
     if (v->method != METHOD_QUADRATURE)
         return lobe_app_reject("--method", "take --method quadrature",
                                "%s is known for --bsdf reflection only", methods[v->method]);
-    if (v->compensation != COMPENSATION_NONE && v->compensation != TURQUIN)
-        return lobe_app_reject("--multiscatter", "take none or turquin",
-                               "%s is known for --bsdf reflection only",
-                               compensations[v->compensation]);
+    if (v->compensation == KULLA_CONTY)
+        return lobe_app_reject("--multiscatter", "take none, turquin or walk",
+                               "kulla-conty is known for --bsdf reflection only");
     const lobe_app_dielectric_surface s = dielectric_of(v);
     if (!lobe_dielectric_prepare_f64(s.options, v->model.wi, s.alpha[0], s.alpha[1], s.ior)
              .is_valid)
         return lobe_app_reject("--alpha", "give a smaller roughness", "%g,%g is too large",
                                s.alpha[0], s.alpha[1]);
+    return check_walks(v);
+}
+
+static lobe_vec3_f64 toward(double mu) {
+    return (lobe_vec3_f64){sqrt(1 - mu * mu), 0, mu};
+}
+
+static lobe_app_status check_direction(const albedo_values *v, const char *option,
+                                       lobe_vec3_f64 wi) {
+    const lobe_vec3_f64 g = v->model.plane;
+    if (!(wi.z > 0))
+        return lobe_app_reject(option,
+                               "tilt it above the surface; below goes with --bsdf dielectric",
+                               "%g lies below the surface", wi.z);
+    if (!(wi.x * g.x + wi.y * g.y + wi.z * g.z > 0))
+        return lobe_app_reject("--geometric-normal", "turn it toward the direction",
+                               "the direction %g,%g,%g lies below the geometric surface", wi.x,
+                               wi.y, wi.z);
     return LOBE_APP_DONE;
+}
+
+static lobe_app_status check_directions(const albedo_values *v,
+                                        const lobe_app_arguments *arguments) {
+    if (lobe_app_is_given(arguments, "--wi")) return check_direction(v, "--wi", v->model.wi);
+    lobe_app_status status = LOBE_APP_DONE;
+    for (int i = 0; i < v->mu.count && !status; i++)
+        status = check_direction(v, "--mu", toward(v->mu.value[i]));
+    return status;
+}
+
+/* What goes with draws, and what with a geometric surface. */
+static lobe_app_status check_sampler(const albedo_values *v, const lobe_app_arguments *arguments) {
+    if (v->model.plane.z < 1 && (v->method == METHOD_TABLE || v->method == METHOD_FIT))
+        return lobe_app_reject("--geometric-normal", "take --method quadrature or a sampler",
+                               "--method %s knows no geometric surface", methods[v->method]);
+    if (v->model.plane.z < 1 && v->compensation != COMPENSATION_NONE)
+        return lobe_app_reject("--multiscatter", "leave it out",
+                               "no compensation knows a geometric surface");
+    if (v->method < METHOD_DRAWS) {
+        if (lobe_app_is_given(arguments, "--floor"))
+            return lobe_app_reject("--floor", "it goes with --ndf ggx --method horizon",
+                                   "--method %s draws nothing", methods[v->method]);
+        if (lobe_app_is_given(arguments, "--samples"))
+            return lobe_app_reject("--samples", "name a sampler, as in --method horizon",
+                                   "--method %s draws nothing", methods[v->method]);
+        return LOBE_APP_DONE;
+    }
+    lobe_model model;
+    const lobe_app_status status =
+        lobe_app_choose_model(v->model.ndf, v->model.masking, v->method - METHOD_DRAWS, &model);
+    if (status) return status;
+    if (v->samples < 1 || v->samples > 1000000000)
+        return lobe_app_reject("--samples", "give 1 to 1000000000", "out of range");
+    return lobe_app_check_floor(arguments, model);
 }
 
 static lobe_app_status check(const albedo_values *v, const lobe_app_arguments *arguments) {
@@ -280,12 +399,8 @@ static lobe_app_status check(const albedo_values *v, const lobe_app_arguments *a
     status = lobe_app_check_bsdf(&v->model, arguments);
     if (status || v->model.bsdf == LOBE_APP_DIELECTRIC)
         return status ? status : check_dielectric(v);
-    for (int i = 0; i < v->mu.count; i++)
-        if (v->mu.value[i] < 0)
-            return lobe_app_reject("--mu", "below 0 goes with --bsdf dielectric",
-                                   "%g lies below the surface", v->mu.value[i]);
-    if (!(v->model.wi.z > 0))
-        return lobe_app_reject("--wi", "tilt it above the surface", "the direction lies below");
+    if ((status = check_directions(v, arguments))) return status;
+    if ((status = check_sampler(v, arguments))) return status;
     if (isnan(lobe_albedo(s, lobe_reflectance_one(), v->model.wi, LOBE_EFFORT_COARSE)))
         return lobe_app_reject("--alpha", "give a smaller roughness", "%g,%g is too large",
                                alpha[0], alpha[1]);
@@ -296,12 +411,7 @@ static lobe_app_status check(const albedo_values *v, const lobe_app_arguments *a
     if (v->method == METHOD_TABLE && (alpha[0] > 2 || alpha[1] > 2))
         return lobe_app_reject("--method", "take --method quadrature",
                                "the table ends at a roughness of 2");
-    if (v->compensation == WALK && (s.masking != LOBE_MASKING_SMITH || s.g2 != LOBE_G2_CORRELATED))
-        return lobe_app_reject("--multiscatter", "take another, or leave it out",
-                               "walks are known for --masking smith --g2 correlated only");
-    if (v->walks < 1 || v->walks > 1000000000)
-        return lobe_app_reject("--walks", "give 1 to 1000000000", "out of range");
-    return LOBE_APP_DONE;
+    return check_walks(v);
 }
 
 static lobe_app_status write_rows(const albedo_values *v, const lobe_app_arguments *arguments) {
@@ -316,7 +426,7 @@ static lobe_app_status write_rows(const albedo_values *v, const lobe_app_argumen
     bool goes_on = lobe_app_begin_table(&table);
     for (int i = 0; i < (is_one ? 1 : v->mu.count) && goes_on && !lobe_app_interrupted; i++) {
         const double mu = v->mu.value[i];
-        const lobe_vec3_f64 wi = is_one ? v->model.wi : (lobe_vec3_f64){sqrt(1 - mu * mu), 0, mu};
+        const lobe_vec3_f64 wi = is_one ? v->model.wi : toward(mu);
         goes_on = is_dielectric ? lobe_app_write_dielectric(&dielectric, &table, wi)
                                 : write_direction(v, &s, &table, wi);
     }
@@ -324,12 +434,13 @@ static lobe_app_status write_rows(const albedo_values *v, const lobe_app_argumen
 }
 
 lobe_app_status lobe_app_albedo(int argc, char **argv) {
-    albedo_values values = {.model = lobe_app_default_model(), .walks = 1000000, .seed = 1};
+    albedo_values values = {
+        .model = lobe_app_default_model(), .walks = 1000000, .samples = 65536, .seed = 1};
     values.model.wi.z = 1;
     values.mu.count = 10;
     for (int i = 0; i < 10; i++) values.mu.value[i] = (i + 1) / 10.0;
     values.fresnel = (law_list){{lobe_reflectance_one()}, 1};
-    lobe_app_option model_options[10];
+    lobe_app_option model_options[16];
     pick_model_options(model_options);
     const lobe_app_group groups[] = {
         {"Microsurface", model_options, &values.model}, {"Albedo", options, &values}, {0}};
@@ -346,7 +457,9 @@ lobe_app_status lobe_app_albedo(int argc, char **argv) {
         "scattering;\n"
         "energy, their sum before transmission changes radiance; furnace, the same with the "
         "chosen\n"
-        "compensation.",
+        "compensation or by walks; all_r and all_t, r and t of that.\n"
+        "With --geometric-normal, e and furnace count only what leaves above that plane too;\n"
+        "e_avg and f_ms do not know it.",
         NULL,
         groups,
         "lobe albedo --alpha 0.5 --mu 0.2,0.9 --fresnel 0.9 --multiscatter kulla-conty"};

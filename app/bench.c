@@ -7,6 +7,7 @@
 #include "commands.h"
 #include "interrupt.h"
 #include "json.h"
+#include "model.h"
 #include "options.h"
 #include "output.h"
 #include "progress.h"
@@ -14,6 +15,8 @@
 typedef struct bench_values {
     bool quick, json, html;
     const char *only;
+    double floor;
+    lobe_vec3_f64 plane;
     int progress;
 } bench_values;
 
@@ -24,6 +27,12 @@ static const lobe_app_option options[] = {
      "a shell pattern that occurs in \"NDF MASKING METHOD ISA PRECISION PREPARED\", as "
      "\"caps avx2 f32\"",
      lobe_app_read_name, offsetof(bench_values, only), NULL},
+    {"--floor", "D", "0.25", "method horizon: how much of the density ignores shadowing, in [0, 1]",
+     lobe_app_read_floor, offsetof(bench_values, floor), NULL},
+    {"--geometric-normal", "X,Y,Z", "none",
+     "normal of the geometric surface in the shading frame, of any length: draws and densities "
+     "above it; no batch prepares for each draw there",
+     lobe_app_read_direction, offsetof(bench_values, plane), NULL},
     {"--json", NULL, NULL, "one JSON object on standard output", NULL, offsetof(bench_values, json),
      NULL},
     {"--html", NULL, NULL, "a page with bars on standard output", NULL,
@@ -130,7 +139,13 @@ static lobe_app_status run_bench(const bench_values *values) {
     bench_run run = {.values = values,
                      .rows = json_array(),
                      .progress = lobe_app_begin_progress(values->progress, "bench", "%")};
-    const lobe_bench_options bench = {values->only, values->quick, &run, take_row, show_progress};
+    const lobe_bench_options bench = {.only = values->only,
+                                      .quick = values->quick,
+                                      .floor = values->floor,
+                                      .geometric_normal = values->plane,
+                                      .user = &run,
+                                      .on_row = take_row,
+                                      .on_progress = show_progress};
     lobe_bench_machine machine;
     lobe_app_catch_interrupt();
     const lobe_bench_result result = lobe_bench_run(&bench, &machine);
@@ -141,7 +156,7 @@ static lobe_app_status run_bench(const bench_values *values) {
 }
 
 lobe_app_status lobe_app_bench(int argc, char **argv) {
-    bench_values values = {0};
+    bench_values values = {.floor = -1};
     const lobe_app_group groups[] = {{"Options", options, &values}, {0}};
     const lobe_app_command command = {
         "bench",

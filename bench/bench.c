@@ -58,6 +58,16 @@ static int is_chosen(const char *only, const work *w) {
     return fnmatch(pattern, title, 0) == 0;
 }
 
+static lobe_vec3_f64 plane_of(const lobe_bench_options *o) {
+    const lobe_vec3_f64 up = {0, 0, 1}, g = o->geometric_normal;
+    return g.x == 0 && g.y == 0 && g.z == 0 ? up : g;
+}
+
+/* Batches have no geometric normals of their own for every row. */
+static int exists(const work *w) {
+    return w->is_shared || w->isa == NULL || w->plane.z >= 1;
+}
+
 static int choose_rows(run *r) {
     int sets = 1; /* single calls, then every instruction set */
     while (lobe_isa_at(sets - 1)) ++sets;
@@ -66,9 +76,10 @@ static int choose_rows(run *r) {
     if (r->rows == NULL) return 0;
     for (int i = 0; i < all; ++i) {
         work w = {lobe_reflection_default_options(), (precision)(i / 2 % PRECISIONS), i % 2 == 0,
-                  lobe_isa_at(i / 2 / PRECISIONS % sets - 1)};
+                  lobe_isa_at(i / 2 / PRECISIONS % sets - 1), plane_of(r->options)};
         w.options.model = lobe_model_at(i / 2 / PRECISIONS / sets);
-        if (!is_chosen(r->options->only, &w)) continue;
+        if (r->options->floor >= 0) w.options.floor = r->options->floor;
+        if (!exists(&w) || !is_chosen(r->options->only, &w)) continue;
         timed_row *row = &r->rows[r->count++];
         row->work = w;
         if (w.precision == PRECISION_F32) row->published = lobe_listing_of(w.options.model);

@@ -14,8 +14,9 @@ typedef enum precision { PRECISION_F32, PRECISION_F64, PRECISIONS } precision;
 typedef struct work {
     lobe_reflection_options options;
     precision precision;
-    int is_shared;   /* prepared once */
-    const char *isa; /* of the batches; NULL: one call a row */
+    int is_shared;       /* prepared once */
+    const char *isa;     /* of the batches; NULL: one call a row */
+    lobe_vec3_f64 plane; /* geometric normal */
 } work;
 
 double work_draw(const work *w, inputs *in);

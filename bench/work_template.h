@@ -7,7 +7,9 @@
 
 static MODEL NAME(prepare)(const work *w, const INPUTS_TYPE *in, int i) {
     NAME(lobe_vec3) wi = {in->wi[0][i], in->wi[1][i], in->wi[2][i]};
-    return NAME(lobe_reflection_prepare)(w->options, wi, in->alpha[0][i], in->alpha[1][i]);
+    NAME(lobe_vec3) plane = {(REAL)w->plane.x, (REAL)w->plane.y, (REAL)w->plane.z};
+    return NAME(lobe_reflection_prepare_above)(w->options, wi, in->alpha[0][i], in->alpha[1][i],
+                                               plane);
 }
 
 static double NAME(one_draw)(const MODEL *model, const INPUTS_TYPE *in, int i) {

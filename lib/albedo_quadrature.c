@@ -6,7 +6,9 @@
  * an interval of rho. D cos dm = du dpsi/2 pi with u the cumulative distribution along the ray, and
  *   E = integral of F 4 (i.m) f cos/(D m_z) du dpsi/2 pi,
  * smooth inside, with steep turns toward the ends at grazing angles: the double exponential rule; for V-cavities
- * on the pieces between the creases of G2. */
+ * on the pieces between the creases of G2.
+ *
+ * Above a geometric plane too, o.g > 0 cuts another convex piece out, on a ray another interval. */
 #include "../kernel/bind/c_f64.h"
 
 #include "lobe/albedo.h"
@@ -36,6 +38,9 @@ typedef struct integrand {
     vcavity_base cavity;
     lobe_reflectance f;
     int first, stride; /* of the nodes in use; as many are left out at the other end */
+    bool has_plane;
+    v3 plane;     /* geometric normal g, */
+    double cos_g; /* and i.g */
 } integrand;
 
 /* A ray s = rho c from the origin: `a` |c|^2, `b` c.i_xy. */
@@ -63,6 +68,51 @@ static stretch stretch_of(ray c, double i_z) {
         r.last2 = FAR2;
     }
     return r;
+}
+
+/* o.g/m_z^2 = constant + 2 half rho + square rho^2 of the normal along (rho c, 1) */
+typedef struct plane_terms {
+    double constant, half, square;
+} plane_terms;
+
+static double height_above(plane_terms t, double rho) {
+    return t.constant + rho * (2.0 * t.half + rho * t.square);
+}
+
+static plane_terms plane_terms_of(const integrand *q, ray c) {
+    const v3 i = q->base.wi, g = q->plane;
+    const double along_g = c.x * g.x + c.y * g.y;
+    const plane_terms t = {2.0 * i.z * g.z - q->cos_g, c.b * g.z + along_g * i.z,
+                           2.0 * c.b * along_g - c.a * q->cos_g};
+    return t;
+}
+
+/* What of a stretch reflects i above the plane: convex, so one of the pieces between its roots. */
+static stretch above_plane(const integrand *q, ray c, stretch r) {
+    const plane_terms t = plane_terms_of(q, c);
+    const double square = t.half * t.half - t.constant * t.square;
+    double end[4] = {k_sqrt(r.first2)};
+    int count = 1;
+    if (square > 0.0) {
+        const double sum = -(t.half + (t.half < 0.0 ? -k_sqrt(square) : k_sqrt(square)));
+        const double root[2] = {t.constant / sum, sum / t.square};
+        const bool swaps = !(root[0] <= root[1]);
+        for (int k = 0; k < 2; ++k) {
+            const double rho = root[swaps ? 1 - k : k];
+            if (rho > end[count - 1] && rho * rho < r.last2) end[count++] = rho;
+        }
+    }
+    end[count] = k_sqrt(r.last2);
+    for (int k = 0; k < count; ++k) {
+        const double middle =
+            end[k + 1] * end[k + 1] < FAR2 ? 0.5 * (end[k] + end[k + 1]) : 2.0 * end[k] + 1.0;
+        if (height_above(t, middle) > 0.0) {
+            const stretch piece = {end[k] * end[k], k_min(end[k + 1] * end[k + 1], FAR2)};
+            return piece;
+        }
+    }
+    const stretch nothing = {0.0, 0.0};
+    return nothing;
 }
 
 /* The variable of a stretch, from 0 to 1: u less u of its start over `length`. GGX: u = rho^2/(1 + rho^2).
@@ -201,7 +251,9 @@ static double along_ray(const integrand *q, double cosine, double sine) {
     ray c = {q->base.ax * cosine, q->base.ay * sine, 0.0, 0.0};
     c.a = c.x * c.x + c.y * c.y;
     c.b = c.x * q->base.wi.x + c.y * q->base.wi.y;
-    const stretch r = stretch_of(c, q->base.wi.z);
+    stretch r = stretch_of(c, q->base.wi.z);
+    if (!(r.last2 > r.first2)) return 0.0;
+    if (q->has_plane) r = above_plane(q, c, r);
     if (!(r.last2 > r.first2)) return 0.0;
     if (q->family == GGX_SMITH || q->family == BECKMANN_SMITH) return along_stretch(q, c, r);
     stretch pieces[CREASES_MAX + 1];
@@ -277,6 +329,101 @@ static double around(const integrand *q) {
     return sum * q->stride * q->stride * (symmetric ? K_INV_PI : 0.5 * K_INV_PI);
 }
 
+/* ---- Above a geometric plane ----------------------------------------------------------------- */
+
+/* Unit vectors in the plane where D is round, by angle; between two the integral along a ray is smooth. */
+enum { TURNS_MAX = 16 };
+
+typedef struct turns {
+    facet_azimuth at[TURNS_MAX];
+    double order[TURNS_MAX]; /* grows with the angle, from -2 to 2 */
+    int count;
+} turns;
+
+static void add_turn(turns *t, double x, double y) {
+    const facet_azimuth p = facet_azimuth_of(v3_of(x, y, 0.0));
+    const double share = p.x / (k_abs(p.x) + k_abs(p.y)),
+                 order = p.y < 0.0 ? share - 1.0 : 1.0 - share;
+    int place = t->count++;
+    for (; place > 0 && t->order[place - 1] > order; --place) {
+        t->at[place] = t->at[place - 1];
+        t->order[place] = t->order[place - 1];
+    }
+    t->at[place] = p;
+    t->order[place] = order;
+}
+
+/* The ray through the slopes (x, y) */
+static void add_ray(turns *t, const integrand *q, double x, double y) {
+    add_turn(t, x * q->base.ay, y * q->base.ax);
+}
+
+/* Toward i, the axes of the roughness, and across. */
+static void add_quarters(turns *t, const integrand *q) {
+    facet_azimuth to_i = azimuth_of(q), axis = {1.0, 0.0, 1.0};
+    for (int quarter = 0; quarter < 4; ++quarter) {
+        add_turn(t, axis.x, axis.y);
+        add_turn(t, to_i.x, to_i.y);
+        axis = turned(axis);
+        to_i = turned(to_i);
+    }
+}
+
+/* The rays through the normals that reflect i along the line where both planes meet. */
+static void add_corners(turns *t, const integrand *q) {
+    const v3 i = q->base.wi, g = q->plane;
+    const double length = k_sqrt(g.x * g.x + g.y * g.y);
+    if (!(length > 0.0)) return;
+    const double sign = i.z < 0.0 ? -1.0 : 1.0; /* slopes are m_xy/m_z */
+    const double x = g.y / length, y = g.x / length;
+    add_ray(t, q, sign * (i.x - x), sign * (i.y + y));
+    add_ray(t, q, sign * (i.x + x), sign * (i.y - y));
+}
+
+/* The rays that touch the normals that reflect i into the geometric plane: where half^2 - constant square of
+ * plane_terms, a quadratic form of the ray's x and y, is zero. */
+static void add_tangents(turns *t, const integrand *q) {
+    const v3 i = q->base.wi, g = q->plane;
+    const double constant = 2.0 * i.z * g.z - q->cos_g;
+    const double hx = i.x * g.z + g.x * i.z, hy = i.y * g.z + g.y * i.z;
+    const double xx = hx * hx - constant * (2.0 * i.x * g.x - q->cos_g);
+    const double xy = hx * hy - constant * (i.x * g.y + i.y * g.x);
+    const double yy = hy * hy - constant * (2.0 * i.y * g.y - q->cos_g);
+    const double square = xy * xy - xx * yy;
+    if (!(square > 0.0)) return;
+    const double sum = -(xy + (xy < 0.0 ? -k_sqrt(square) : k_sqrt(square)));
+    add_ray(t, q, sum, xx); /* x/y = sum/xx, and yy/sum */
+    add_ray(t, q, -sum, -xx);
+    add_ray(t, q, yy, sum);
+    add_ray(t, q, -yy, -sum);
+}
+
+/* Beckmann from deep below: the ends of around_deep. */
+static void add_deep(turns *t, const integrand *q) {
+    const bool is_beckmann = q->family == BECKMANN_SMITH || q->family == BECKMANN_VCAVITY;
+    if (!is_beckmann || !(q->beckmann.shift > 1.0)) return;
+    const facet_azimuth p = azimuth_of(q);
+    const double half = k_min(3.0 / k_sqrt(q->beckmann.shift), 1.0),
+                 inverse = 1.0 / (1.0 + half * half);
+    const double c = (1.0 - half * half) * inverse, s = 2.0 * half * inverse;
+    add_turn(t, c * p.x - s * p.y, c * p.y + s * p.x);
+    add_turn(t, c * p.x + s * p.y, c * p.y - s * p.x);
+}
+
+static double around_above(const integrand *q) {
+    turns t;
+    t.count = 0;
+    add_quarters(&t, q);
+    add_deep(&t, q);
+    add_corners(&t, q);
+    add_tangents(&t, q);
+    double sum = 0.0;
+    for (int k = 0; k < t.count; ++k) sum += between(q, t.at[k], t.at[(k + 1) % t.count]);
+    return sum * q->stride * q->stride * 0.5 * K_INV_PI;
+}
+
+/* ---- Entrances ------------------------------------------------------------------------------- */
+
 static double not_a_number(void) {
     return __builtin_nan("");
 }
@@ -317,6 +464,7 @@ static integrand integrand_of(lobe_microsurface s, lobe_reflectance f, lobe_vec3
     integrand q;
     q.base = ggx_base_of(wi, s.alpha_x, s.alpha_y, options);
     q.f = f;
+    q.has_plane = false;
     q.stride = effort == LOBE_EFFORT_COARSE ? 4 : effort == LOBE_EFFORT_MEDIUM ? 2 : 1;
     q.first = effort == LOBE_EFFORT_COARSE ? 12 : 0; /* the outer ones weigh 1e-5 */
     q.base.valid = k_flag(known && add_family(&q, s, wi, options) && k_is(q.base.valid));
@@ -329,6 +477,21 @@ double lobe_albedo(lobe_microsurface s, lobe_reflectance f, lobe_vec3_f64 wi, lo
     if (q.base.mirror) return wi.z > 0.0 ? lobe_reflectance_at(f, wi.z) : 0.0;
     const bool is_beckmann = s.ndf == LOBE_NDF_BECKMANN;
     return is_beckmann && q.beckmann.shift > 1.0 ? around_deep(&q) : around(&q);
+}
+
+double lobe_albedo_above(lobe_microsurface s, lobe_reflectance f, lobe_vec3_f64 wi,
+                         lobe_vec3_f64 geometric_normal, lobe_effort effort) {
+    const v3 g = v3_of(geometric_normal.x, geometric_normal.y, geometric_normal.z);
+    integrand q = integrand_of(s, f, wi, effort);
+    q.has_plane = true;
+    q.plane = g;
+    q.cos_g = v3_dot(q.base.wi, g);
+    if (!q.base.valid || !(q.cos_g > 0.0 && q.cos_g < 2.0)) return not_a_number();
+    if (q.base.mirror) {
+        const double height = 2.0 * wi.z * g.z - q.cos_g;
+        return wi.z > 0.0 && height > 0.0 ? lobe_reflectance_at(f, wi.z) : 0.0;
+    }
+    return around_above(&q);
 }
 
 static double sinh_of(double x) {

@@ -8,8 +8,8 @@
 
 typedef struct integrator {
     const lobe_scene *scene;
-    surface_options surface; /* its coat is that of the material: */
-    const coat_table *const *coats;
+    surface_options surface;        /* its coat is that of the material: */
+    const coat_table *const *coats; /* after the last material's, that of COAT_IOR */
     lobe_heuristic heuristic;
     int depth, roulette_depth;
 } integrator;

@@ -56,6 +56,13 @@ LOBE_API double lobe_albedo(lobe_microsurface s, lobe_reflectance f, lobe_vec3_f
                             lobe_effort effort);
 LOBE_API double lobe_albedo_average(lobe_microsurface s, lobe_reflectance f, lobe_effort effort);
 
+/* The same over the directions that also lie above a geometric surface: its normal (unit), in the shading
+ * frame. NaN too where wi lies below it. As long
+ * as lobe_albedo; largest differences to LOBE_EFFORT_FINE seen, of normals up to 73 degrees apart and roughness
+ * from 1e-3: medium 8e-6 (Smith-GGX), 2e-4 (the others), coarse 4e-4, 2e-3. */
+LOBE_API double lobe_albedo_above(lobe_microsurface s, lobe_reflectance f, lobe_vec3_f64 wi,
+                                  lobe_vec3_f64 geometric_normal, lobe_effort effort);
+
 /* ---- Tables ----------------------------------------------------------------------------------
  *
  * For F = 1 in single precision, a microsecond's tenth a direction:

@@ -34,6 +34,10 @@ typedef struct lobe_bench_machine {
 typedef struct lobe_bench_options {
     const char *only; /* shell pattern that occurs in "NDF MASKING METHOD ISA PRECISION PREPARED" */
     int quick;        /* fewer and shorter rounds */
+    double floor;     /* of GGX `horizon`, in [0, 1]; negative: the library's */
+    /* Unit, in the shading frame; all 0: none. Above one no batch prepares for every draw: those rows
+     * are left out. */
+    lobe_vec3_f64 geometric_normal;
     void *user;
     void (*on_row)(void *user, const lobe_bench_row *row); /* in the order of LOBE_MODELS */
     int (*on_progress)(void *user, double share);          /* not 0: stop */

@@ -86,6 +86,34 @@ class AlbedoTest(ProgramTest):
         other, = self.rows("--alpha", "0.6,0.3", "--mu", "0.8")
         self.assertAlmostEqual(row["e"], other["e"], delta=1e-6)
 
+    def test_geometric_surface(self):
+        """Less leaves; as much as is drawn."""
+        model = ["--alpha", "0.3,0.6", "--wi", "0.6,0,0.8", "--fresnel", "0.04"]
+        plane = ["--geometric-normal", "0.3,0.2,1"]
+        (whole,), (cut,) = self.rows(*model), self.rows(*model, *plane)
+        self.assertLess(cut["e"], whole["e"] - 0.02)
+        self.assertEqual(cut["e_avg"], whole["e_avg"])
+        for method in ("caps", "horizon"):
+            drawn, = self.rows(*model, *plane, "--method", method)
+            self.assertAlmostEqual(drawn["e"], cut["e"], delta=0.008)
+            self.assertAlmostEqual(drawn["furnace"], cut["furnace"], delta=0.0004)
+
+    def test_draws_are_those_of_sample(self):
+        model = ["--alpha", "0.3,0.6", "--wi", "0.6,0,0.8", "--method", "horizon", "--floor", "0.5"]
+        row, = self.rows(*model, "--samples", "5000", "--seed", "3")
+        draws = table(self.done("sample", *model, "--count", "5000", "--seed", "3", "--precision",
+                                "f64"))
+        self.assertAlmostEqual(row["e"], sum(d["weight"] for d in draws) / 5000, delta=1e-12)
+
+    def test_shadowing_followed_needs_fewer_draws(self):
+        """Floor 0 against caps: some hundred times less variance, so a tenth of the error."""
+        model, samples = ["--alpha", "0.5"], ["--samples", "20000"]
+        true = self.rows(*model)
+        errors = [sum(abs(row["e"] - exact["e"])
+                      for row, exact in zip(self.rows(*model, *method, *samples), true))
+                  for method in (["--method", "caps"], ["--method", "horizon", "--floor", "0"])]
+        self.assertLess(errors[1], errors[0] / 3)
+
     def test_json(self):
         lines = self.done("albedo", "--alpha", "0.3", "--json").decode().splitlines()
         self.assertEqual([json.loads(line) for line in lines], self.rows("--alpha", "0.3"))
@@ -121,6 +149,23 @@ class AlbedoTest(ProgramTest):
             self.rejected("albedo", "--alpha", "0.3", "--fresnel", bad, where="--fresnel")
         self.rejected("albedo", "--alpha", "0.3", "--json", "--format", "csv", where="--json")
         self.rejected("albedo", "--alpha", "0.3", "--method", "guess", where="--method")
+        self.rejected("albedo", "--alpha", "0.3", "--method", "newton", where="--method")
+        for bad in ("0", "1000000001"):
+            self.rejected("albedo", "--alpha", "0.3", "--method", "caps", "--samples", bad,
+                          where="--samples")
+        self.rejected("albedo", "--alpha", "0.3", "--samples", "10", where="--samples")
+        for method in ("quadrature", "caps"):
+            self.rejected("albedo", "--alpha", "0.3", "--method", method, "--floor", "0",
+                          where="--floor")
+        plane = ["--geometric-normal", "0.1,0,1"]
+        self.rejected("albedo", "--alpha", "0.3", "--geometric-normal=-1,0,0.1", "--mu", "0.5",
+                      where="--geometric-normal")
+        self.rejected("albedo", "--alpha", "0.3", *plane, "--method", "table",
+                      where="--geometric-normal")
+        self.rejected("albedo", "--alpha", "0.3", *plane, "--multiscatter", "turquin",
+                      where="--multiscatter")
+        self.rejected("albedo", "--alpha", "0.3", *plane, "--bsdf", "dielectric", "--fresnel",
+                      "dielectric:1.5", where="--geometric-normal")
 
 
 if __name__ == "__main__":

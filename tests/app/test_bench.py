@@ -37,8 +37,18 @@ class BenchTest(ProgramTest):
         self.assertNotIn("src=", page)
         self.assertNotIn("href=", page)
 
+    def test_above_a_geometric_surface(self):
+        """No batch prepares for every row there."""
+        rows = self.bench("--only", "ggx * horizon * f32", "--floor", "0.5", "--geometric-normal",
+                          "0.3,0,1")["rows"]
+        each = [row["isa"] for row in rows if row["prepared"] == "each"]
+        self.assertEqual(each, ["call"])
+        self.assertGreater(len(rows), 2)
+
     def test_errors(self):
         self.rejected("bench", "--json", "--html", where="--html")
+        self.rejected("bench", "--floor", "2", where="--floor")
+        self.rejected("bench", "--geometric-normal", "0,0,0", where="--geometric-normal")
         self.rejected("bench", "--only", "no such row", where="--only")
         self.rejected("bench", "--only", "", where="--only")
         self.rejected("bench", "file", where="file")
