@@ -3,6 +3,7 @@
 
 #include <lobe/bench.h>
 
+#include "bench_page.h"
 #include "commands.h"
 #include "interrupt.h"
 #include "json.h"
@@ -12,7 +13,7 @@
 #include "progress.h"
 
 typedef struct bench_values {
-    bool quick, json;
+    bool quick, json, html;
     const char *only;
     double floor;
     lobe_vec3_f64 plane;
@@ -34,6 +35,8 @@ static const lobe_app_option options[] = {
      lobe_app_read_direction, offsetof(bench_values, plane), NULL},
     {"--json", NULL, NULL, "one JSON object on standard output", NULL, offsetof(bench_values, json),
      NULL},
+    {"--html", NULL, NULL, "a page with bars on standard output", NULL,
+     offsetof(bench_values, html), NULL},
     LOBE_APP_PROGRESS_OPTION(bench_values, progress),
     {0}};
 
@@ -91,13 +94,17 @@ static void print_row(bench_run *run, const lobe_bench_row *row) {
 static void take_row(void *user, const lobe_bench_row *row) {
     bench_run *run = user;
     lobe_app_end_progress(&run->progress);
-    if (run->values->json)
+    if (run->values->json || run->values->html)
         keep_row(run, row);
     else
         print_row(run, row);
 }
 
 static lobe_app_status print_machine(bench_run *run, const lobe_bench_machine *machine) {
+    if (run->values->html) {
+        lobe_app_print_bench_page(machine->cpu, machine->copy, run->rows);
+        return LOBE_APP_DONE;
+    }
     if (run->values->json)
         return lobe_app_print_json(json_pack("{ss si sf so}", "cpu", machine->cpu, "threads", 1,
                                              "copy_bytes_per_second", machine->copy, "rows",
@@ -127,6 +134,8 @@ static lobe_app_status finish(bench_run *run, lobe_bench_result result,
 }
 
 static lobe_app_status run_bench(const bench_values *values) {
+    if (values->json && values->html)
+        return lobe_app_reject("--html", "choose one", "cannot be combined with --json");
     bench_run run = {.values = values,
                      .rows = json_array(),
                      .progress = lobe_app_begin_progress(values->progress, "bench", "%")};

@@ -47,14 +47,16 @@ static listing_draw finish_visible(vec3 wi, float ax, float ay, vec3 m) {
 }
 
 /* Walter et al. 2007 */
-static listing_draw ndf(vec3 wi, float ax, float ay, float u1, float u2) {
+static listing_draw ndf(vec3 wi, float ax, float ay, float u1, float u2, float u3) {
+    (void)u3;
     float phi = 2.0f * PI * u1, t = sqrtf(u2 / (1.0f - u2));
     vec3 m = normalize((vec3){ax * t * cosf(phi), ay * t * sinf(phi), 1.0f});
     return finish(wi, ax, ay, m, distribution(m, ax, ay) * m.z / (4.0f * fabsf(dot(wi, m))));
 }
 
 /* Heitz & d'Eon 2014, supplement */
-static listing_draw slope(vec3 wi, float ax, float ay, float u1, float u2) {
+static listing_draw slope(vec3 wi, float ax, float ay, float u1, float u2, float u3) {
+    (void)u3;
     vec3 s = normalize((vec3){ax * wi.x, ay * wi.y, wi.z});
     float theta = 0.0f, phi = 0.0f;
     if (s.z < 0.99999f) {
@@ -85,7 +87,8 @@ static listing_draw slope(vec3 wi, float ax, float ay, float u1, float u2) {
 }
 
 /* Heitz 2018 */
-static listing_draw ellipsoid(vec3 wi, float ax, float ay, float u1, float u2) {
+static listing_draw ellipsoid(vec3 wi, float ax, float ay, float u1, float u2, float u3) {
+    (void)u3;
     vec3 v = normalize((vec3){ax * wi.x, ay * wi.y, wi.z});
     float length2 = v.x * v.x + v.y * v.y;
     vec3 t1 = {1.0f, 0.0f, 0.0f};
@@ -109,13 +112,15 @@ static vec3 cap_normal(vec3 v, float ax, float ay, float lower, float u1, float 
 }
 
 /* Dupuy & Benyoub 2023 */
-static listing_draw caps(vec3 wi, float ax, float ay, float u1, float u2) {
+static listing_draw caps(vec3 wi, float ax, float ay, float u1, float u2, float u3) {
+    (void)u3;
     vec3 v = normalize((vec3){ax * wi.x, ay * wi.y, wi.z});
     return finish_visible(wi, ax, ay, cap_normal(v, ax, ay, -v.z, u1, u2));
 }
 
 /* Eto & Tokuyoshi 2023 */
-static listing_draw bounded(vec3 wi, float ax, float ay, float u1, float u2) {
+static listing_draw bounded(vec3 wi, float ax, float ay, float u1, float u2, float u3) {
+    (void)u3;
     vec3 stretched = {ax * wi.x, ay * wi.y, wi.z};
     float t = sqrtf(dot(stretched, stretched));
     vec3 v = {stretched.x / t, stretched.y / t, stretched.z / t};
@@ -127,14 +132,86 @@ static listing_draw bounded(vec3 wi, float ax, float ay, float u1, float u2) {
     return finish(wi, ax, ay, m, distribution(m, ax, ay) / (2.0f * (k * wi.z + t)));
 }
 
+/* V-cavities: Heitz & d'Eon 2014. A normal by its area, or its mirror image where more of that is seen. */
+static listing_draw vcavity(vec3 wi, float ax, float ay, float u1, float u2, float u3) {
+    float phi = 2.0f * PI * u1, t = sqrtf(u2 / (1.0f - u2));
+    vec3 m = normalize((vec3){ax * t * cosf(phi), ay * t * sinf(phi), 1.0f});
+    vec3 mirrored = {-m.x, -m.y, m.z};
+    float seen = fmaxf(dot(wi, m), 0.0f), other = fmaxf(dot(wi, mirrored), 0.0f);
+    if (u3 * (seen + other) > seen) m = mirrored;
+    float im = dot(wi, m);
+    vec3 wo = {2.0f * im * m.x - wi.x, 2.0f * im * m.y - wi.y, 2.0f * im * m.z - wi.z};
+    if (wo.z <= 0.0f) return (listing_draw){wo, 0.0f, 0.0f};
+    float g1_i = fminf(1.0f, 2.0f * m.z * wi.z / im), g1_o = fminf(1.0f, 2.0f * m.z * wo.z / im);
+    float pdf = distribution(m, ax, ay) * g1_i / (4.0f * wi.z);
+    return (listing_draw){wo, pdf, fminf(g1_i, g1_o) / g1_i};
+}
+
+/* Giles 2010, single precision */
+static float erfinv(float x) {
+    float w = -logf((1.0f - x) * (1.0f + x)), p;
+    if (w < 5.0f) {
+        static const float c[] = {3.43273939e-07f, -3.5233877e-06f, -4.39150654e-06f,
+                                  0.00021858087f,  -0.00125372503f, -0.00417768164f,
+                                  0.246640727f,    1.50140941f};
+        w -= 2.5f;
+        p = 2.81022636e-08f;
+        for (int k = 0; k < 8; ++k) p = p * w + c[k];
+    } else {
+        static const float c[] = {0.000100950558f, 0.00134934322f, -0.00367342844f, 0.00573950773f,
+                                  -0.0076224613f,  0.00943887047f, 1.00167406f,     2.83297682f};
+        w = sqrtf(w) - 3.0f;
+        p = -0.000200214257f;
+        for (int k = 0; k < 8; ++k) p = p * w + c[k];
+    }
+    return p * x;
+}
+
+static float beckmann_distribution(vec3 m, float ax, float ay) {
+    float x = m.x / (ax * m.z), y = m.y / (ay * m.z), z2 = m.z * m.z;
+    return expf(-(x * x + y * y)) / (PI * ax * ay * z2 * z2);
+}
+
+static float beckmann_lambda(vec3 v, float ax, float ay) {
+    float x = ax * v.x, y = ay * v.y, a = fabsf(v.z) / sqrtf(x * x + y * y);
+    return 0.5f * (erff(a) - 1.0f + expf(-a * a) / (a * sqrtf(PI)));
+}
+
+/* Jakob 2014: three steps of Newton's method in the error function of the slope */
+static listing_draw newton(vec3 wi, float ax, float ay, float u1, float u2, float u3) {
+    (void)u3;
+    vec3 s = normalize((vec3){ax * wi.x, ay * wi.y, wi.z});
+    float phi = atan2f(s.y, s.x), theta = acosf(s.z), tangent = tanf(theta);
+    float erf_max = erff(1.0f / tangent);
+    float scale = 1.0f / (1.0f + erf_max + tangent * expf(-1.0f / (tangent * tangent)) / sqrtf(PI));
+    float fit = 1.0f + theta * (-0.876f + theta * (0.4265f - 0.0594f * theta));
+    float u = fmaxf(u1, 1e-6f), b = erf_max - (1.0f + erf_max) * powf(1.0f - u, fit);
+    for (int step = 0; step < 3; ++step) {
+        float x = erfinv(b);
+        float value = scale * (1.0f + b + tangent * expf(-x * x) / sqrtf(PI)) - u;
+        b -= value / (scale * (1.0f - x * tangent));
+    }
+    float along = erfinv(b), across = erfinv(2.0f * fmaxf(u2, 1e-6f) - 1.0f);
+    float c = cosf(phi), sn = sinf(phi);
+    float x = ax * (c * along - sn * across), y = ay * (sn * along + c * across);
+    vec3 m = normalize((vec3){-x, -y, 1.0f});
+    float im = dot(wi, m);
+    vec3 wo = {2.0f * im * m.x - wi.x, 2.0f * im * m.y - wi.y, 2.0f * im * m.z - wi.z};
+    if (wo.z <= 0.0f) return (listing_draw){wo, 0.0f, 0.0f};
+    float lambda_i = beckmann_lambda(wi, ax, ay), lambda_o = beckmann_lambda(wo, ax, ay);
+    float pdf = beckmann_distribution(m, ax, ay) / ((1.0f + lambda_i) * 4.0f * wi.z);
+    return (listing_draw){wo, pdf, (1.0f + lambda_i) / (1.0f + lambda_i + lambda_o)};
+}
+
 listing *lobe_listing_of(lobe_model model) {
     static listing *const smith_ggx[LOBE_METHOD_COUNT] = {
-        [LOBE_METHOD_NDF] = ndf,
-        [LOBE_METHOD_SLOPE_PUBLISHED] = slope,
-        [LOBE_METHOD_ELLIPSOID] = ellipsoid,
-        [LOBE_METHOD_CAPS] = caps,
-        [LOBE_METHOD_BOUNDED] = bounded,
+        [LOBE_METHOD_NDF] = ndf,     [LOBE_METHOD_SLOPE_PUBLISHED] = slope,
+        [LOBE_METHOD_SLOPE] = slope, [LOBE_METHOD_ELLIPSOID] = ellipsoid,
+        [LOBE_METHOD_CAPS] = caps,   [LOBE_METHOD_BOUNDED] = bounded,
     };
-    int is_smith_ggx = model.ndf == LOBE_NDF_GGX && model.masking == LOBE_MASKING_SMITH;
-    return is_smith_ggx ? smith_ggx[model.method] : NULL;
+    const int is_ggx = model.ndf == LOBE_NDF_GGX, is_smith = model.masking == LOBE_MASKING_SMITH;
+    if (is_smith && is_ggx) return smith_ggx[model.method];
+    if (is_smith && model.method == LOBE_METHOD_NEWTON) return newton;
+    if (is_ggx && model.method == LOBE_METHOD_VCAVITY) return vcavity;
+    return NULL;
 }

@@ -11,7 +11,7 @@ typedef struct listing_draw {
     float pdf, weight;
 } listing_draw;
 
-typedef listing_draw listing(lobe_vec3_f32 wi, float ax, float ay, float u1, float u2);
+typedef listing_draw listing(lobe_vec3_f32 wi, float ax, float ay, float u1, float u2, float u3);
 
 /* NULL: none is published for the model. */
 listing *lobe_listing_of(lobe_model model);

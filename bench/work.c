@@ -23,7 +23,8 @@ double work_listing(listing *published, const inputs *in) {
     double sum = 0;
     for (int i = 0; i < INPUTS; ++i) {
         lobe_vec3_f32 wi = {f->wi[0][i], f->wi[1][i], f->wi[2][i]};
-        listing_draw d = published(wi, f->alpha[0][i], f->alpha[1][i], f->u[0][i], f->u[1][i]);
+        listing_draw d =
+            published(wi, f->alpha[0][i], f->alpha[1][i], f->u[0][i], f->u[1][i], f->u[2][i]);
         sum += d.wo.x + d.pdf + d.weight;
     }
     return sum;

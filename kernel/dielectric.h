@@ -109,7 +109,7 @@ K_FN dielectric_side dielectric_side_of(bool inside, real ior, dielectric_option
     s.boost = R(1.0);
     s.straight = k_flag(straight);
     s.matched = k_flag(matched);
-    s.follows = k_flag(k_and(thin, compensate));
+    s.follows = options.thin & options.compensate; /* of the flags: see k_flag */
     s.independent = k_flag(k_or(k_is(options.separable), compensate));
     s.thin = options.thin;
     s.mirror = k_flag(mirror);

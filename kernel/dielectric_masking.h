@@ -94,6 +94,7 @@ K_FN real dielectric_beta(real a, real b) {
     real below = R(1.0);
     real above = R(1.0);
     real sums = R(1.0);
+    K_UNROLL
     for (int k = 0; k < DIELECTRIC_GAMMA_STEPS; ++k) {
         real step = k_from_int(k);
         below = below * (q + step);

@@ -55,16 +55,17 @@ K_FN k_exp_parts k_exp_split(real high, real low) {
     return e;
 }
 
-/* x 2^n in two steps: a result below the smallest normal number is rounded once. */
+/* x 2^n, |n| below twice the largest exponent, in two steps: a result below the smallest normal number is rounded once. */
 K_FN real k_scale_by_power(real x, kint n) {
 #if K_IS_F64
     kint bias = K_INT(1023);
 #else
     kint bias = K_INT(127);
 #endif
-    kint first = n >> 1;
-    return x * k_from_bits((first + bias) << K_MANTISSA_BITS) *
-           k_from_bits((n - first + bias) << K_MANTISSA_BITS);
+    kint both = n + K_INT(2) * bias;
+    kint first = k_shift_down(both, 1);
+    return x * k_from_bits(first << K_MANTISSA_BITS) *
+           k_from_bits((both - first) << K_MANTISSA_BITS);
 }
 
 K_FN real k_exp(real x) {

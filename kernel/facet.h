@@ -78,7 +78,7 @@ K_FN bool facet_inputs_usable(v3 wi, real ax, real ay, v3 plane) {
 }
 
 K_FN bool facet_leaves(v3 wo, v3 plane) {
-    return k_and(wo.z > R(0.0), v3_dot(wo, plane) > R(0.0));
+    return k_and(wo.z > R(0.0), k_or(!facet_is_tilted(plane), v3_dot(wo, plane) > R(0.0)));
 }
 
 /* The draw of a mirror: all of the light goes one way. */

@@ -56,21 +56,26 @@ K_FN ggx_base ggx_base_of(v3 wi, real alpha_x, real alpha_y, facet_options optio
     g.wi = v3_select(usable, wi, v3_of(R(0.0), R(0.0), R(1.0)));
     g.ax = ggx_alpha_floor(k_select(usable, alpha_x, R(1.0)));
     g.ay = ggx_alpha_floor(k_select(usable, alpha_y, R(1.0)));
-    g.inv_ax = R(1.0) / g.ax;
-    g.inv_ay = R(1.0) / g.ay;
-    g.d_peak = R(1.0) / (K_PI * g.ax * g.ay);
+    /* Divisions are what a draw waits for: two here serve six quotients. */
+    real inv_area = R(1.0) / (g.ax * g.ay);
+    g.inv_ax = g.ay * inv_area;
+    g.inv_ay = g.ax * inv_area;
+    g.d_peak = K_INV_PI * inv_area;
     v3 stretched = ggx_stretch(g.wi, g.ax, g.ay);
     real z = stretched.z;
     real xy2 = stretched.x * stretched.x + stretched.y * stretched.y;
     g.t_i = k_sqrt(xy2 + z * z);
-    g.i_std = v3_scale(stretched, R(1.0) / g.t_i);
+    real height = g.t_i + k_abs(z);
+    real inv = R(1.0) / (g.t_i * height);
+    g.i_std = v3_scale(stretched, height * inv);
     g.rho2 = g.i_std.x * g.i_std.x + g.i_std.y * g.i_std.y;
     real larger = R(1.0) + k_abs(g.i_std.z);
-    real smaller = g.rho2 / larger;
+    real smaller = xy2 * inv;
     g.one_plus_z = k_select(z < R(0.0), smaller, larger);
     g.one_minus_z = k_select(z < R(0.0), larger, smaller);
     g.visible = g.t_i * g.one_plus_z;
-    g.density_bias = k_select(k_and(k_is(options.previous), z < R(0.0)), smaller / larger, R(1.0));
+    g.density_bias = k_select(k_and(k_is(options.previous), z < R(0.0)),
+                              smaller * (g.t_i * g.t_i * inv), R(1.0));
     g.plane = options.plane;
     g.tilted = k_flag(facet_is_tilted(options.plane));
     g.floor_share = k_saturate(options.floor_share);
@@ -122,11 +127,12 @@ K_FN real ggx_g1_in(ggx_base g) {
 /* G2(i,o)/G1(i) for o above the surface */
 K_FN real ggx_shadowing(ggx_base g, v3 wo) {
     real t_o = ggx_t(wo, g.ax, g.ay);
-    real separable = R(2.0) * wo.z / (wo.z + t_o);
     /* from behind height correlation has no meaning: its limit i_z -> 0 */
     real i_z = k_max(g.wi.z, R(0.0));
-    real correlated = wo.z * (i_z + g.t_i) / (g.t_i * wo.z + t_o * i_z);
-    return k_select(k_is(g.separable), separable, correlated);
+    bool separable = k_is(g.separable);
+    real top = k_select(separable, R(2.0), i_z + g.t_i);
+    real bottom = k_select(separable, wo.z + t_o, g.t_i * wo.z + t_o * i_z);
+    return wo.z * top / bottom;
 }
 
 /* f cos of a pair that leaves the surface; 0 of any other */

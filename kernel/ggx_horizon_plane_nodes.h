@@ -124,6 +124,7 @@ K_FN ggx_horizon_plane_node ggx_horizon_plane_node_of(ggx_horizon_plane_disk d, 
     real f1 = R(0.0);
     real f2 = R(0.0);
     real f3 = R(0.0);
+    K_UNROLL
     for (int k = 0; k < 3; ++k) {
         real x = R(1.0) - R(0.5) * k_from_int(k);
         f1 = f2;
@@ -146,6 +147,7 @@ K_FN ggx_horizon_plane_nodes ggx_horizon_plane_nodes_of(ggx_horizon_plane_disk d
     real centre = ggx_horizon_plane_centre(d);
     real sum = R(0.0);
     ggx_horizon_plane_nodes t;
+    K_UNROLL
     for (int j = 0; j < GGX_HORIZON_PLANE_NODES; ++j) {
         real x = R(4.0) * k_from_int(j) / count;
         ggx_horizon_plane_node node = ggx_horizon_plane_node_of(d, x, centre);
@@ -157,12 +159,14 @@ K_FN ggx_horizon_plane_nodes ggx_horizon_plane_nodes_of(ggx_horizon_plane_disk d
     }
     real scale = (R(1.0) - GGX_HORIZON_PLANE_LEAST) * count / k_max(sum, K_TINY);
     real total = R(0.0);
+    K_UNROLL
     for (int k = 0; k < GGX_HORIZON_PLANE_NODES; ++k) {
         t.w[k] = GGX_HORIZON_PLANE_LEAST + scale * t.w[k];
         total = total + t.w[k];
     }
     /* nothing wanted anywhere: even */
     bool spread = k_and(total > R(0.5) * count, total < R(2.0) * count);
+    K_UNROLL
     for (int l = 0; l < GGX_HORIZON_PLANE_NODES; ++l) t.w[l] = k_select(spread, t.w[l], R(1.0));
     t.w[GGX_HORIZON_PLANE_NODES] = t.w[0];
     t.p[GGX_HORIZON_PLANE_NODES] = t.p[0];
@@ -180,6 +184,7 @@ K_FN ggx_horizon_plane_node ggx_horizon_plane_at(ggx_horizon_plane_nodes t, real
     node.p = R(0.0);
     node.q0 = R(0.0);
     node.q1 = R(0.0);
+    K_UNROLL
     for (int j = 0; j < GGX_HORIZON_PLANE_NODES + 1; ++j) {
         real hat = k_max(R(1.0) - k_abs(place - k_from_int(j)), R(0.0));
         node.w = node.w + hat * t.w[j];
@@ -198,6 +203,7 @@ K_FN real ggx_horizon_plane_place(ggx_horizon_plane_nodes t, real u) {
     real node = R(0.0);
     real w0 = t.w[0];
     real w1 = t.w[1];
+    K_UNROLL
     for (int j = 1; j < GGX_HORIZON_PLANE_NODES; ++j) {
         below = below + R(0.5) * (t.w[j - 1] + t.w[j]);
         bool past = want >= below;

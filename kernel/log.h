@@ -29,18 +29,20 @@ K_FN k_log_parts k_log_split(real x) {
 #if K_IS_F64
     kint half_bits = K_INT_PAIR(0x3fe6a09e, 0x667f3bcd); /* sqrt(1/2) */
     kint mantissa_mask = K_INT_PAIR(0x000fffff, 0xffffffff);
+    kint bias = K_INT(1023);
     real smallest = R(2.2250738585072014e-308);
     real ln2_high = R(6.93147180369123816490e-01); /* 33 bits: n ln2_high is exact */
     real ln2_low = R(1.90821492927058770002e-10);
 #else
     kint half_bits = K_INT(0x3f3504f3);
     kint mantissa_mask = K_INT(0x007fffff);
+    kint bias = K_INT(127);
     real smallest = R(1.17549435e-38);
     real ln2_high = R(6.9314575195e-01); /* 16 bits */
     real ln2_low = R(1.4286067653e-06);
 #endif
-    kint shifted = k_bits(k_max(x, smallest)) - half_bits;
-    real n = k_from_int(shifted >> K_MANTISSA_BITS);
+    kint shifted = k_bits(k_max(x, smallest)) - half_bits + (bias << K_MANTISSA_BITS);
+    real n = k_from_int(k_shift_down(shifted, K_MANTISSA_BITS) - bias);
     real m = k_from_bits((shifted & mantissa_mask) + half_bits);
     real f = m - R(1.0);
     real s = f / (R(2.0) + f);

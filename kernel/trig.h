@@ -38,19 +38,24 @@ K_FN real k_cos_eighth(real x) {
 #endif
 }
 
+/* x with its sign turned where the second last digit of n is 1. */
+K_FN real k_turn_sign(real x, kint n) {
+    kint sign = (n & K_INT(2)) << (K_SIGN_BIT - 1);
+    return k_from_bits(k_bits(x) ^ sign);
+}
+
 /* u in [-4, 4] */
 K_FN k_sincos k_sincos_2pi(real u) {
-    real quarter = k_floor(R(4.0) * u + R(0.5));
+    real quarter = k_round(R(4.0) * u);
+    kint n = k_to_int(quarter);
     real r = u - R(0.25) * quarter;
     real x = r * r;
     real s = k_sin_eighth(r, x);
     real c = k_cos_eighth(x);
-    real half_turns = k_floor(R(0.5) * quarter);
-    bool swaps = quarter - R(2.0) * half_turns > R(0.5);
-    real sign = R(1.0) - R(2.0) * (half_turns - R(2.0) * k_floor(R(0.5) * half_turns));
+    bool swaps = (n & K_INT(1)) != K_INT(0);
     k_sincos result;
-    result.s = sign * k_select(swaps, c, s);
-    result.c = sign * k_select(swaps, -s, c);
+    result.s = k_turn_sign(k_select(swaps, c, s), n);
+    result.c = k_turn_sign(k_select(swaps, s, c), n + K_INT(1));
     return result;
 }
 

@@ -1,7 +1,7 @@
 /* lib/batch_f32.c: the batches in single precision. */
 #include "../kernel/bind/c_f32.h"
 
-#define BATCH_NAME(stem) JOIN(stem, _f32)
+#define BATCH_NAME(stem) stem##_f32
 
 #include "batch_template.h"
 

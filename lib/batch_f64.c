@@ -1,7 +1,7 @@
 /* lib/batch_f64.c: the batches in double precision. */
 #include "../kernel/bind/c_f64.h"
 
-#define BATCH_NAME(stem) JOIN(stem, _f64)
+#define BATCH_NAME(stem) stem##_f64
 
 #include "batch_template.h"
 

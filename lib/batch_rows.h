@@ -1,4 +1,4 @@
-/* lib/batch_rows.h: what the loops of one instruction set offer, and the block they work on. Before
+/* lib/batch_rows.h: what the loops of one instruction set offer, and the rows they work on. Before
  * including: the binding of a precision. */
 
 #include "../kernel/facet.h"
@@ -12,17 +12,18 @@ static inline int whole_vectors(int n) {
     return (n + 15) & ~15;
 }
 
-/* One array a number: the loops read and write nothing else. */
+/* One array a number: the loops read and write nothing else. A row of an output may be the same row of an
+ * input. */
 typedef struct block {
-    real wi[3][BLOCK], alpha[2][BLOCK], u[3][BLOCK];
-    real m[3][BLOCK], wo[3][BLOCK], cos_im[BLOCK];
-    real pdf_m[BLOCK], pdf[BLOCK], weight[BLOCK], f_cos[BLOCK];
+    const real *wi[3], *alpha[2], *u[3], *to[3]; /* to: the directions whose density is asked for */
+    real *m[3], *wo[3], *cos_im;
+    real *pdf_m, *pdf, *weight, *f_cos;
 } block;
 
 /* Each works on the first n <= BLOCK rows. `state` is the kernel's, prepared once. */
 typedef struct batch_row {
-    void (*sample_each)(block *b, int n, facet_options options);
-    void (*sample_shared)(block *b, int n, const void *state);
-    void (*eval_each)(block *b, int n, facet_options options);
-    void (*eval_shared)(block *b, int n, const void *state); /* valid, and no mirror */
+    void (*sample_each)(const block *b, int n, facet_options options);
+    void (*sample_shared)(const block *b, int n, const void *state);
+    void (*eval_each)(const block *b, int n, facet_options options);
+    void (*eval_shared)(const block *b, int n, const void *state); /* valid, and no mirror */
 } batch_row;

@@ -1,86 +1,64 @@
 /* lib/batch_template.h: the public batches over the loops, once for each precision. Before including:
  *   BATCH_NAME(stem)   stem_f32 or stem_f64
- * and the binding of the precision. Rows go through a block of arrays: that is what makes strides,
- * alignment, arrays used twice and tails nobody's business but that of two copying loops. */
-#include "lobe/batch.h"
-#include "lobe/random.h"
-
-#include "batch_rows.h"
+ * and the binding of the precision. The loops work on blocks of whole vectors: where they are, or in arrays
+ * that stand in, which makes strides and tails nobody's business but that of two copying loops. */
+#include "batch_views.h"
 #include "isa.h"
 #include "models.h"
 
 typedef BATCH_NAME(lobe_sample_batch) sample_batch;
 typedef BATCH_NAME(lobe_eval_batch) eval_batch;
-typedef BATCH_NAME(lobe_in) input;
-typedef BATCH_NAME(lobe_out) output;
 typedef BATCH_NAME(lobe_reflection) model_type;
 
-#define DECLARE_TABLE(ID, stem) extern const batch_row BATCH_NAME(lobe_batch_##stem)[ROW_COUNT];
+#define DECLARE_TABLE(ID, stem, name)                                                              \
+    extern const batch_row BATCH_NAME(lobe_batch_##stem)[ROW_COUNT];
 LOBE_ISAS(DECLARE_TABLE)
 #undef DECLARE_TABLE
 
 /* The loops of the instruction set in use. */
 static const batch_row *loops_of(int row) {
     static const batch_row *const tables[LOBE_ISA_COUNT] = {
-#define TABLE(ID, stem) BATCH_NAME(lobe_batch_##stem),
+#define TABLE(ID, stem, name) BATCH_NAME(lobe_batch_##stem),
         LOBE_ISAS(TABLE)
 #undef TABLE
     };
     return &tables[lobe_isa_in_use()][row];
 }
 
-/* And copies of the last row up to whole vectors. */
-static void gather(input in, size_t first, int n, real *to) {
-    const real *from = in.data + (ptrdiff_t)first * in.stride;
-    if (in.stride == 1) {
-        memcpy(to, from, (size_t)n * sizeof(real));
-    } else {
-        for (int i = 0; i < n; ++i) to[i] = from[i * in.stride];
-    }
-    for (int i = n; i < whole_vectors(n); ++i) to[i] = to[n - 1];
+/* Arrays that stand in for those of a batch: where rows are not side by side, or end before a vector does,
+ * and for outputs that nobody wants. */
+typedef struct stand_in {
+    real wi[3][BLOCK], alpha[2][BLOCK], u[3][BLOCK], to[3][BLOCK];
+    real m[3][BLOCK], wo[3][BLOCK], cos_im[BLOCK];
+    real pdf_m[BLOCK], pdf[BLOCK], weight[BLOCK], f_cos[BLOCK];
+} stand_in;
+
+static void gather_points(const input wi[3], const input alpha[2], size_t first, int n, block *b,
+                          stand_in *s) {
+    for (int k = 0; k < 3; ++k) b->wi[k] = gather(wi[k], first, n, s->wi[k]);
+    for (int k = 0; k < 2; ++k) b->alpha[k] = gather(alpha[k], first, n, s->alpha[k]);
 }
 
-static void scatter(output out, size_t first, int n, const real *from) {
-    if (out.data == NULL) return;
-    real *to = out.data + (ptrdiff_t)first * out.stride;
-    if (out.stride == 1) {
-        memcpy(to, from, (size_t)n * sizeof(real));
-        return;
-    }
-    for (int i = 0; i < n; ++i) to[i * out.stride] = from[i];
-}
-
-static void gather_numbers(const sample_batch *batch, size_t first, int n, block *b) {
-    if (batch->u[0].data != NULL) {
-        for (int k = 0; k < 3; ++k) {
-            if (batch->u[k].data != NULL)
-                gather(batch->u[k], first, n, b->u[k]);
-            else
-                memset(b->u[k], 0, (size_t)whole_vectors(n) * sizeof(real));
-        }
-        return;
-    }
-    for (int i = 0; i < whole_vectors(n); ++i) {
-        real u[3];
-        BATCH_NAME(lobe_draw_numbers)(batch->seed, batch->offset + first + (uint64_t)i, u);
-        for (int k = 0; k < 3; ++k) b->u[k][i] = u[k];
-    }
-}
-
-static void gather_points(const input wi[3], const input alpha[2], size_t first, int n, block *b) {
-    for (int k = 0; k < 3; ++k) gather(wi[k], first, n, b->wi[k]);
-    for (int k = 0; k < 2; ++k) gather(alpha[k], first, n, b->alpha[k]);
-}
-
-static void scatter_draws(const sample_batch *batch, size_t first, int n, const block *b) {
+static void place_draws(const sample_batch *batch, size_t first, int n, block *b, stand_in *s) {
     for (int k = 0; k < 3; ++k) {
-        scatter(batch->m[k], first, n, b->m[k]);
-        scatter(batch->wo[k], first, n, b->wo[k]);
+        b->m[k] = place_of(batch->m[k], first, n, s->m[k]);
+        b->wo[k] = place_of(batch->wo[k], first, n, s->wo[k]);
     }
-    scatter(batch->cos_im, first, n, b->cos_im);
-    scatter(batch->pdf_m, first, n, b->pdf_m);
-    scatter(batch->pdf, first, n, b->pdf);
-    scatter(batch->weight, first, n, b->weight);
+    b->cos_im = place_of(batch->cos_im, first, n, s->cos_im);
+    b->pdf_m = place_of(batch->pdf_m, first, n, s->pdf_m);
+    b->pdf = place_of(batch->pdf, first, n, s->pdf);
+    b->weight = place_of(batch->weight, first, n, s->weight);
+}
+
+static void scatter_draws(const sample_batch *batch, size_t first, int n, const stand_in *s) {
+    for (int k = 0; k < 3; ++k) {
+        scatter(batch->m[k], first, n, s->m[k]);
+        scatter(batch->wo[k], first, n, s->wo[k]);
+    }
+    scatter(batch->cos_im, first, n, s->cos_im);
+    scatter(batch->pdf_m, first, n, s->pdf_m);
+    scatter(batch->pdf, first, n, s->pdf);
+    scatter(batch->weight, first, n, s->weight);
 }
 
 /* What all rows of a batch share: the loops, and what they are prepared from. */
@@ -104,48 +82,74 @@ static shared shared_of(const model_type *prepared, const lobe_reflection_option
     return s;
 }
 
-static int rows_at(size_t count, size_t first) {
-    return count - first < BLOCK ? (int)(count - first) : BLOCK;
+/* Of a model that does not exist all results are 0. */
+static void clear(output out, size_t count) {
+    for (size_t i = 0; out.data != NULL && i < count; ++i) out.data[(ptrdiff_t)i * out.stride] = 0;
+}
+
+static void clear_draws(const sample_batch *batch) {
+    for (int k = 0; k < 3; ++k) {
+        clear(batch->m[k], batch->count);
+        clear(batch->wo[k], batch->count);
+    }
+    clear(batch->cos_im, batch->count);
+    clear(batch->pdf_m, batch->count);
+    clear(batch->pdf, batch->count);
+    clear(batch->weight, batch->count);
+}
+
+static void clear_evals(const eval_batch *batch) {
+    clear(batch->pdf, batch->count);
+    clear(batch->f_cos, batch->count);
+    clear(batch->cos_im, batch->count);
 }
 
 void BATCH_NAME(lobe_reflection_sample_batch)(const sample_batch *batch) {
-    shared s = shared_of(batch->prepared, &batch->options);
+    const shared of_all = shared_of(batch->prepared, &batch->options);
+    if (!of_all.is_known) {
+        clear_draws(batch);
+        return;
+    }
     block b;
-    if (!s.is_known) memset(&b, 0, sizeof b);
+    stand_in s;
     for (size_t first = 0; first < batch->count; first += BLOCK) {
         int n = rows_at(batch->count, first);
-        if (s.is_known) {
-            gather_numbers(batch, first, n, &b);
-            if (s.state != NULL) {
-                s.loops->sample_shared(&b, n, s.state);
-            } else {
-                gather_points(batch->wi, batch->alpha, first, n, &b);
-                s.loops->sample_each(&b, n, s.options);
-            }
+        gather_numbers(batch->u, batch->seed, batch->offset, first, n, b.u, s.u);
+        place_draws(batch, first, n, &b, &s);
+        if (of_all.state != NULL) {
+            of_all.loops->sample_shared(&b, n, of_all.state);
+        } else {
+            gather_points(batch->wi, batch->alpha, first, n, &b, &s);
+            of_all.loops->sample_each(&b, n, of_all.options);
         }
-        scatter_draws(batch, first, n, &b);
+        scatter_draws(batch, first, n, &s);
     }
 }
 
 void BATCH_NAME(lobe_reflection_eval_batch)(const eval_batch *batch) {
-    shared s = shared_of(batch->prepared, &batch->options);
-    if (batch->prepared && batch->prepared->is_mirror) s.is_known = false; /* a point mass */
+    const shared of_all = shared_of(batch->prepared, &batch->options);
+    const bool is_mirror = batch->prepared && batch->prepared->is_mirror; /* a point mass */
+    if (!of_all.is_known || is_mirror) {
+        clear_evals(batch);
+        return;
+    }
     block b;
-    if (!s.is_known) memset(&b, 0, sizeof b);
+    stand_in s;
     for (size_t first = 0; first < batch->count; first += BLOCK) {
         int n = rows_at(batch->count, first);
-        if (s.is_known) {
-            for (int k = 0; k < 3; ++k) gather(batch->wo[k], first, n, b.wo[k]);
-            if (s.state != NULL) {
-                s.loops->eval_shared(&b, n, s.state);
-            } else {
-                gather_points(batch->wi, batch->alpha, first, n, &b);
-                s.loops->eval_each(&b, n, s.options);
-            }
+        for (int k = 0; k < 3; ++k) b.to[k] = gather(batch->wo[k], first, n, s.to[k]);
+        b.pdf = place_of(batch->pdf, first, n, s.pdf);
+        b.f_cos = place_of(batch->f_cos, first, n, s.f_cos);
+        b.cos_im = place_of(batch->cos_im, first, n, s.cos_im);
+        if (of_all.state != NULL) {
+            of_all.loops->eval_shared(&b, n, of_all.state);
+        } else {
+            gather_points(batch->wi, batch->alpha, first, n, &b, &s);
+            of_all.loops->eval_each(&b, n, of_all.options);
         }
-        scatter(batch->pdf, first, n, b.pdf);
-        scatter(batch->f_cos, first, n, b.f_cos);
-        scatter(batch->cos_im, first, n, b.cos_im);
+        scatter(batch->pdf, first, n, s.pdf);
+        scatter(batch->f_cos, first, n, s.f_cos);
+        scatter(batch->cos_im, first, n, s.cos_im);
     }
 }
 

@@ -9,21 +9,14 @@
 #include "lobe/batch.h"
 
 static const char *name_of(lobe_isa_id isa) {
-    static const char *const names[LOBE_ISA_COUNT] = {
-        [LOBE_ISA_SCALAR] = "scalar",
-#if defined(__x86_64__) && defined(__GNUC__)
-        [LOBE_ISA_SSE41] = "sse4.1",
-        [LOBE_ISA_AVX2] = "avx2",
-        [LOBE_ISA_AVX512] = "avx512",
-#elif defined(__aarch64__)
-        [LOBE_ISA_NEON] = "neon",
-#endif
-    };
+#define NAME(ID, stem, name) name,
+    static const char *const names[LOBE_ISA_COUNT] = {LOBE_ISAS(NAME)};
+#undef NAME
     return names[isa];
 }
 
 static bool can_run(lobe_isa_id isa) {
-#if defined(__x86_64__) && defined(__GNUC__)
+#if defined(LOBE_ISA_X86)
     switch (isa) {
     case LOBE_ISA_SSE41:
         return __builtin_cpu_supports("sse4.1");

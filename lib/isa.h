@@ -2,16 +2,27 @@
 #ifndef LOBE_ISA_H
 #define LOBE_ISA_H
 
-/* From the plainest to the widest of a family of processors: X(IDENTIFIER, stem of the files) */
-#if defined(__x86_64__) && defined(__GNUC__)
-#define LOBE_ISAS(X) X(SCALAR, scalar) X(SSE41, sse41) X(AVX2, avx2) X(AVX512, avx512)
-#elif defined(__aarch64__)
-#define LOBE_ISAS(X) X(SCALAR, scalar) X(NEON, neon)
-#else
-#define LOBE_ISAS(X) X(SCALAR, scalar)
+/* LOBE_SCALAR_ONLY: instrumented builds, where loops are not vectorised and take minutes to compile. */
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(LOBE_SCALAR_ONLY)
+#define LOBE_ISA_X86
 #endif
 
-#define LOBE_ISA_ENUMERATOR(ID, stem) LOBE_ISA_##ID,
+/* From the plainest to the widest of a family of processors: X(IDENTIFIER, stem of the files, "name") */
+#if defined(LOBE_ISA_X86)
+#define LOBE_ISAS(X)                                                                               \
+    X(SCALAR, scalar, "scalar")                                                                    \
+    X(SSE41, sse41, "sse4.1")                                                                      \
+    X(AVX2, avx2, "avx2")                                                                          \
+    X(AVX512, avx512, "avx512")
+#elif defined(__aarch64__) && !defined(LOBE_SCALAR_ONLY)
+#define LOBE_ISAS(X) X(SCALAR, scalar, "scalar") X(NEON, neon, "neon")
+#elif defined(__wasm__) && !defined(LOBE_SCALAR_ONLY)
+#define LOBE_ISAS(X) X(SCALAR, scalar, "scalar") X(SIMD128, simd128, "simd128")
+#else
+#define LOBE_ISAS(X) X(SCALAR, scalar, "scalar")
+#endif
+
+#define LOBE_ISA_ENUMERATOR(ID, stem, name) LOBE_ISA_##ID,
 typedef enum lobe_isa_id { LOBE_ISAS(LOBE_ISA_ENUMERATOR) LOBE_ISA_COUNT } lobe_isa_id;
 #undef LOBE_ISA_ENUMERATOR
 

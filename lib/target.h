@@ -10,6 +10,8 @@
 #define TARGET_TEXT "avx2,fma"
 #elif defined(TARGET_AVX512)
 #define TARGET_TEXT "avx2,fma,avx512f,avx512vl,avx512bw,avx512dq"
+#elif defined(TARGET_SIMD128)
+#define TARGET_TEXT "simd128"
 #endif
 
 /* TARGET_END stands at the end of the file. */
@@ -20,6 +22,16 @@
 #endif
 
 #define TARGET_PRAGMA(text) _Pragma(#text)
+
+/* Before a loop over rows: no row reads what another writes. (The same row may: the compiler keeps the order
+ * within a row.) */
+#if !defined(TARGET_TEXT) && !defined(TARGET_NEON)
+#define INDEPENDENT_ROWS
+#elif defined(__clang__)
+#define INDEPENDENT_ROWS _Pragma("clang loop vectorize(assume_safety)")
+#else
+#define INDEPENDENT_ROWS _Pragma("GCC ivdep")
+#endif
 
 #if !defined(TARGET_TEXT)
 /* the baseline of the build */

@@ -2,21 +2,12 @@
 # check_vectors.sh LIBLOBE.A: every loop of the batches became vectors. Compilers give up silently: a
 # loop of an instruction set must have packed square roots or divisions, or be the same code as another
 # loop and jump there, and must call nothing.
-#
-# Known: processors before AVX-512 have no arithmetic on 64-bit integers to speak of, so double loops
-# through k_log, k_cbrt_start and arcs, which work on the bits or take too many of them, stay scalar, the draws
-# of Beckmann among them. So do the node tables of ggx_horizon_plane_table: a search, loops inside the loop;
-# and draws of beckmann_vcavity that prepare each row: too long a loop.
 set -eu
 
 objdump -d --no-show-raw-insn "$1" | awk '
     /file format/ {
         object = $1
         loops = object ~ /batch_(sse41|avx2|avx512|neon)_f(32|64)/
-    }
-    BEGIN {
-        known = "f64.*(ggx_slope|ggx_horizon_exact)_|f64.*beckmann_.*_sample|f64.*beckmann_horizon" \
-            "|beckmann_vcavity_(valid_)?sample_each|ggx_horizon_plane_table"
     }
     /^[0-9a-f]+ <.*>:/ {
         name = object " " $2
@@ -28,7 +19,7 @@ objdump -d --no-show-raw-insn "$1" | awk '
     wanted && /[ \t](call|bl)[ \t]/ { calls[name]++ }
     END {
         for (name in seen) {
-            if (!packed[name] && name !~ known) { print "vectors: " name " is scalar"; failed++ }
+            if (!packed[name]) { print "vectors: " name " is scalar"; failed++ }
             if (calls[name]) { print "vectors: " name " calls a function"; failed++ }
         }
         printf "vectors: %d loops, %d failed\n", count, failed

@@ -6,6 +6,7 @@
 #include "albedo.h"
 #include "batch.h"
 #include "dielectric.h"
+#include "dielectric_batch.h"
 #include "fresnel.h"
 #include "reflection.h"
 #include "methods.h"

@@ -57,16 +57,6 @@ K_FN real k_max(real a, real b) {
     return a > b ? a : b;
 }
 
-K_FN real k_abs(real x) {
-    return x < R(0.0) ? -x : x;
-}
-
-/* The SSE2 baseline has no packed floor: by conversion, for |x| below the integer range. */
-K_FN real k_floor(real x) {
-    real whole = (real)(kint)x;
-    return whole > x ? whole - R(1.0) : whole;
-}
-
 K_FN kint k_bits(real x) {
     kint bits;
     memcpy(&bits, &x, sizeof bits);
@@ -79,8 +69,25 @@ K_FN real k_from_bits(kint bits) {
     return x;
 }
 
-K_FN real k_from_int(kint n) {
-    return (real)n;
+/* To the nearest whole number, |x| below 2^22 (2^51 in double): few processors round whole vectors. */
+K_FN real k_round(real x) {
+    return (x + K_ROUNDER) - K_ROUNDER;
+}
+
+/* The same as an integer. */
+K_FN kint k_to_int(real x) {
+    return k_bits(x + K_ROUNDER) - k_bits(K_ROUNDER);
+}
+
+/* The SSE2 baseline has no packed floor: by conversion, for |x| below the integer range. */
+K_FN real k_floor(real x) {
+    real whole = (real)(kint)x;
+    return whole > x ? whole - R(1.0) : whole;
+}
+
+/* bits >= 0. Not >>: before AVX-512, processors cannot shift vectors of signed 64-bit integers. */
+K_FN kint k_shift_down(kint bits, int count) {
+    return (kint)((kuint)bits >> count);
 }
 
 #endif

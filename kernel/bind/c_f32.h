@@ -6,6 +6,7 @@
 
 typedef float real;
 typedef int32_t kint;
+typedef uint32_t kuint;
 
 #define R(x) x##f
 #define K_INT(x) x
@@ -15,11 +16,21 @@ typedef int32_t kint;
 #define K_BELOW_ONE R(0.99999994) /* the largest number below 1 */
 #define K_TINY R(1e-30)           /* a denominator that overflows nothing */
 #define K_HUGE R(1e30)
+#define K_ROUNDER R(12582912.0) /* 3 2^22: what is added to it stands in its last digits */
+#define K_SIGN_BIT 31
 
 #include "c.h"
 
 K_FN real k_sqrt(real x) {
     return __builtin_sqrtf(x);
+}
+
+K_FN real k_abs(real x) {
+    return __builtin_fabsf(x);
+}
+
+K_FN real k_from_int(kint n) {
+    return (real)n;
 }
 
 #endif

@@ -6,6 +6,7 @@
 
 typedef double real;
 typedef int64_t kint;
+typedef uint64_t kuint;
 
 #define R(x) x
 #define K_INT(x) INT64_C(x)
@@ -17,11 +18,22 @@ typedef int64_t kint;
 #define K_BELOW_ONE R(0.9999999999999999)
 #define K_TINY R(1e-290)
 #define K_HUGE R(1e290)
+#define K_ROUNDER R(6755399441055744.0) /* 3 2^51: what is added to it stands in its last digits */
+#define K_SIGN_BIT 63
 
 #include "c.h"
 
 K_FN real k_sqrt(real x) {
     return __builtin_sqrt(x);
+}
+
+K_FN real k_abs(real x) {
+    return __builtin_fabs(x);
+}
+
+/* |n| < 2^51. Before AVX-512 processors convert no vectors of 64-bit integers. */
+K_FN real k_from_int(kint n) {
+    return k_from_bits(k_bits(K_ROUNDER) + n) - K_ROUNDER;
 }
 
 #endif

@@ -14,6 +14,7 @@
 #define K_BELOW_ONE R(0.99999994)
 #define K_TINY R(1e-30)
 #define K_HUGE R(1e30)
+#define K_SIGN_BIT 31
 
 #define K_FN
 #define K_UNROLL
@@ -58,6 +59,14 @@ K_FN real k_floor(real x) {
     return floor(x);
 }
 
+K_FN real k_round(real x) {
+    return floor(x + R(0.5));
+}
+
+K_FN kint k_to_int(real x) {
+    return kint(k_round(x));
+}
+
 K_FN real k_sqrt(real x) {
     return sqrt(x);
 }
@@ -72,6 +81,11 @@ K_FN real k_from_bits(kint bits) {
 
 K_FN real k_from_int(kint n) {
     return float(n);
+}
+
+/* bits >= 0 */
+K_FN kint k_shift_down(kint bits, kint count) {
+    return bits >> count;
 }
 
 #endif

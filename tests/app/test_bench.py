@@ -29,6 +29,14 @@ class BenchTest(ProgramTest):
         self.assertEqual(lines[0].split()[:3], ["ndf", "masking", "method"])
         self.assertEqual(lines[1].split()[:4], ["ggx", "smith", "caps", "call"])
 
+    def test_page(self):
+        page = self.done("bench", "--quick", "--html", "--only", "smith bounded call").decode()
+        self.assertTrue(page.startswith("<!doctype html>"))
+        self.assertTrue(page.endswith("</html>\n"))
+        self.assertEqual(page.count("class=row"), 4)
+        self.assertNotIn("src=", page)
+        self.assertNotIn("href=", page)
+
     def test_above_a_geometric_surface(self):
         """No batch prepares for every row there."""
         rows = self.bench("--only", "ggx * horizon * f32", "--floor", "0.5", "--geometric-normal",
@@ -38,6 +46,7 @@ class BenchTest(ProgramTest):
         self.assertGreater(len(rows), 2)
 
     def test_errors(self):
+        self.rejected("bench", "--json", "--html", where="--html")
         self.rejected("bench", "--floor", "2", where="--floor")
         self.rejected("bench", "--geometric-normal", "0,0,0", where="--geometric-normal")
         self.rejected("bench", "--only", "no such row", where="--only")

@@ -250,6 +250,55 @@ static void NAME(strides)(void) {
     free(r);
 }
 
+/* Rows side by side, and every output written over an input. */
+static void NAME(in_place)(void) {
+    ROWS *r = NAME(make_rows)();
+    NAME(results) *all = malloc(sizeof *all);
+    assert_true(all != NULL);
+    const lobe_reflection_options options = lobe_reflection_default_options();
+    SAMPLE_BATCH s = NAME(sample_of)(r, NAME(COUNT), options, all);
+    EVAL_BATCH e = NAME(eval_of)(r, NAME(COUNT), options, all);
+    for (int k = 0; lobe_isa_at(k); ++k) {
+        assert_true(lobe_restrict_isa(lobe_isa_at(k)));
+        ROWS *mixed = NAME(make_rows)();
+        NAME(lobe_reflection_sample_batch)(&s);
+        SAMPLE_BATCH over = NAME(sample_of)(mixed, NAME(COUNT), options, all);
+        for (int c = 0; c < 3; ++c) {
+            over.wo[c].data = mixed->wi[c];
+            over.m[c].data = mixed->u[c];
+        }
+        over.pdf.data = mixed->alpha[0];
+        over.weight.data = mixed->alpha[1];
+        over.cos_im = over.pdf_m = (NAME(lobe_out)){NULL, 0};
+        NAME(lobe_reflection_sample_batch)(&over);
+        for (int i = 0; i < NAME(COUNT); ++i) {
+            for (int c = 0; c < 3; ++c) {
+                assert_true(NAME(same)(mixed->wi[c][i], all->wo[c][i]));
+                assert_true(NAME(same)(mixed->u[c][i], all->m[c][i]));
+            }
+            assert_true(NAME(same)(mixed->alpha[0][i], all->pdf[i]));
+            assert_true(NAME(same)(mixed->alpha[1][i], all->weight[i]));
+        }
+        free(mixed);
+        mixed = NAME(make_rows)();
+        NAME(lobe_reflection_eval_batch)(&e);
+        EVAL_BATCH eval_over = NAME(eval_of)(mixed, NAME(COUNT), options, all);
+        eval_over.pdf.data = mixed->wo[2];
+        eval_over.f_cos.data = mixed->wi[0];
+        eval_over.cos_im.data = mixed->alpha[0];
+        NAME(lobe_reflection_eval_batch)(&eval_over);
+        for (int i = 0; i < NAME(COUNT); ++i) {
+            assert_true(NAME(same)(mixed->wo[2][i], all->pdf[i]));
+            assert_true(NAME(same)(mixed->wi[0][i], all->f_cos[i]));
+            assert_true(NAME(same)(mixed->alpha[0][i], all->cos_im[i]));
+        }
+        free(mixed);
+    }
+    lobe_restrict_isa(NULL);
+    free(all);
+    free(r);
+}
+
 /* Arrays that end where memory ends; and the built-in random numbers. */
 static void NAME(guarded)(void) {
     size_t page = (size_t)sysconf(_SC_PAGESIZE);

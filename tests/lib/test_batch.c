@@ -48,6 +48,8 @@ static void strides_and_arrays_used_twice(void **state) {
     (void)state;
     strides_f32();
     strides_f64();
+    in_place_f32();
+    in_place_f64();
 }
 
 static void nothing_is_touched_outside(void **state) {

@@ -1,0 +1,14 @@
+/* lib/dielectric_batch_avx512_f32.c: the loops over dielectrics in single precision. */
+#include <stdbool.h>
+#include <stdint.h>
+#include <string.h>
+
+#define TARGET_AVX512
+#include "target.h"
+
+#include "../kernel/bind/c_f32.h"
+
+#define BATCH_TABLE lobe_dielectric_batch_avx512_f32
+#include "dielectric_loops.h"
+
+TARGET_END
