@@ -67,6 +67,11 @@ K_FN real k_floor(real x) {
     return whole > x ? whole - R(1.0) : whole;
 }
 
+/* Toward 0, for |x| below the integer range. */
+K_FN kint k_to_int(real x) {
+    return (kint)x;
+}
+
 K_FN kint k_bits(real x) {
     kint bits;
     memcpy(&bits, &x, sizeof bits);

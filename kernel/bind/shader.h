@@ -58,6 +58,11 @@ K_FN real k_floor(real x) {
     return floor(x);
 }
 
+/* Toward 0. */
+K_FN kint k_to_int(real x) {
+    return int(x);
+}
+
 K_FN real k_sqrt(real x) {
     return sqrt(x);
 }
