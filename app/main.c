@@ -21,6 +21,7 @@ static const struct {
     {"verify", lobe_app_verify, "prove models and methods by statistics"},
     {"bench", lobe_app_bench, "time every model"},
     {"render", lobe_app_render, "path-trace a scene"},
+    {"ssr", lobe_app_ssr, "reflect what is on the screen, and judge it by real rays"},
 };
 
 enum { COMMANDS = sizeof commands / sizeof commands[0] };

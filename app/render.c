@@ -19,15 +19,11 @@
 #include "output.h"
 #include "progress.h"
 
-typedef struct picture_size {
-    int width, height;
-} picture_size;
-
 typedef struct render_values {
     const char *out, *environment, *camera, *reference;
     uint64_t spp, depth, seed, threads;
     double time_limit, exposure, rotation, material[5], floor;
-    picture_size size;
+    lobe_app_size size;
     uint32_t aovs;
     lobe_model model; /* of ndf, masking and method */
     int ndf, masking, method, g2, normalization, heuristic, multiscatter, progress;
@@ -39,16 +35,6 @@ static const char *const multiscatters[] = {"none", "kulla-conty", "turquin", "w
 
 #define AOV_NAME(ID, name, channels, about) " " name
 #define AOV_NAMES LOBE_AOVS(AOV_NAME)
-
-static bool read_size(const lobe_app_option *option, const char *text, void *value) {
-    picture_size *size = value;
-    char extra;
-    if (strspn(text, "0123456789x") == strlen(text) && strlen(text) < 12 &&
-        sscanf(text, "%dx%d%c", &size->width, &size->height, &extra) == 2)
-        return true;
-    lobe_app_report(option->name, "give pixels as 960x540", "'%.40s' is not a size", text);
-    return false;
-}
 
 static bool read_aovs(const lobe_app_option *option, const char *text, void *value) {
     uint32_t *bits = value;
@@ -81,7 +67,7 @@ static bool read_material(const lobe_app_option *option, const char *text, void 
 static const lobe_app_option picture_options[] = {
     {"-o", "FILE", NULL, "the picture: .exr, .png, .hdr or .pfm", lobe_app_read_name, AT(out),
      NULL},
-    {"--size", "WxH", "960x540", "in pixels", read_size, AT(size), NULL},
+    {"--size", "WxH", "960x540", "in pixels", lobe_app_read_size, AT(size), NULL},
     {"--spp", "N", "64", "camera paths a pixel", lobe_app_read_count, AT(spp), NULL},
     {"--time", "S", "none",
      "seconds after which to stop with what is finished, if --spp is not reached before",

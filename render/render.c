@@ -260,8 +260,8 @@ static void keep_metadata(job *j, double seconds) {
     m->is_rendered = 1;
 }
 
-/* The coat's table of every material, by malloc. A file with very many indices gets the nearest ones. */
-static const coat_table **find_coats(const lobe_scene *s, const lobe_reflection_options *o) {
+/* A file with very many indices gets the nearest ones. */
+const coat_table **lobe_find_coats(const lobe_scene *s, const lobe_reflection_options *o) {
     enum { INDICES_MAX = 64 };
     const coat_table *known[INDICES_MAX], **coats = malloc((s->material_count + 1) * sizeof *coats);
     int count = 0;
@@ -315,7 +315,7 @@ lobe_render_result lobe_render(const lobe_scene *scene, lobe_render_options opti
     /* the choice by surface is known for Smith-GGX; else the best method is one for all */
     if (model.ndf != LOBE_NDF_GGX || model.masking != LOBE_MASKING_SMITH)
         options.reflection.model.method = method_or_best(model);
-    const coat_table **coats = find_coats(scene, &options.reflection);
+    const coat_table **coats = lobe_find_coats(scene, &options.reflection);
     if (!coats) return lobe_fail_memory(scene->name);
     result = render_with(coats, scene, &options, film, statistics);
     free(coats);

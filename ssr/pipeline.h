@@ -41,7 +41,11 @@ static inline v3 ssr_v3(const float *values) {
     return v3_of(values[0], values[1], values[2]);
 }
 
+ssr_camera lobe_ssr_camera_of(const lobe_ssr_camera *c, float width, float height);
 ssr_camera lobe_ssr_kernel_camera(const lobe_ssr *s, const lobe_ssr_camera *c);
+
+v3 lobe_ssr_cross(v3 a, v3 b);
+v3 lobe_ssr_across(v3 z); /* some unit vector across the unit vector z */
 
 /* 0: no surface there. */
 float lobe_ssr_z_at(const lobe_ssr_frame *f, size_t pixel);
@@ -65,6 +69,9 @@ void lobe_ssr_noise(const lobe_ssr *s, int x, int y, float u[3]);
 
 /* Light at a direction, 0 without an environment. */
 v3 lobe_ssr_environment_at(const lobe_ssr_environment *e, v3 direction, float roughness);
+
+/* Colour between the pixels of a picture; `p` in [0, 1] across it. */
+v3 lobe_ssr_color_between(const float *rgb, int width, int height, const float p[2]);
 
 /* The passes, in order. */
 void lobe_ssr_pass_pyramid(lobe_ssr *s, const lobe_ssr_frame *f);

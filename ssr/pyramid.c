@@ -14,11 +14,15 @@ static void depth_of_pixels(lobe_ssr *s, const lobe_ssr_frame *f) {
     }
 }
 
+/* Small levels are faster alone than the start of the threads. */
+enum { CELLS_WORTH_THREADS = 1 << 14 };
+
 static void halve_depth(lobe_ssr *s, int level) {
     const pyramid *p = &s->pyramid;
     const int width = p->width[level - 1], height = p->height[level - 1];
     const depth_cell *fine = p->depth[level - 1];
-#pragma omp parallel for num_threads(s->threads)
+#pragma omp parallel for num_threads(s->threads) if (p->width[level] * p->height[level] >=         \
+                                                     CELLS_WORTH_THREADS)
     for (int y = 0; y < p->height[level]; y++)
         for (int x = 0; x < p->width[level]; x++) {
             const int x0 = 2 * x, x1 = x0 + 1 < width ? x0 + 1 : x0;
@@ -40,7 +44,8 @@ static float usable(float light) {
 static void halve_color(lobe_ssr *s, int level, const float *fine) {
     const pyramid *p = &s->pyramid;
     const int width = p->width[level - 1], height = p->height[level - 1];
-#pragma omp parallel for num_threads(s->threads)
+#pragma omp parallel for num_threads(s->threads) if (p->width[level] * p->height[level] >=         \
+                                                     CELLS_WORTH_THREADS)
     for (int y = 0; y < p->height[level]; y++)
         for (int x = 0; x < p->width[level]; x++)
             for (int k = 0; k < 3; k++) {

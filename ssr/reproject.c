@@ -4,8 +4,7 @@
 
 #include "pipeline.h"
 
-/* Colours between the texels of a level; `p` in [0, 1] across the screen. */
-static v3 color_between(const float *rgb, int width, int height, const float p[2]) {
+v3 lobe_ssr_color_between(const float *rgb, int width, int height, const float p[2]) {
     const float px = p[0] * (float)width - 0.5f, py = p[1] * (float)height - 0.5f;
     const int x0 = (int)floorf(px), y0 = (int)floorf(py);
     const float tx = px - floorf(px), ty = py - floorf(py);
@@ -25,7 +24,7 @@ static v3 color_between(const float *rgb, int width, int height, const float p[2
 /* APPROX takes the level of the colour pyramid that grows with roughness. */
 static v3 color_at(const lobe_ssr *s, const lobe_ssr_frame *f, float roughness, const float p[2]) {
     if (s->options.resolve != LOBE_SSR_APPROX)
-        return color_between(f->previous_color, s->width, s->height, p);
+        return lobe_ssr_color_between(f->previous_color, s->width, s->height, p);
     const float level = k_saturate(roughness) * (float)(s->pyramid.levels - 1);
     v3 sum = v3_of(0.0f, 0.0f, 0.0f);
     for (int k = 0; k < 2; k++) {
@@ -33,7 +32,8 @@ static v3 color_at(const lobe_ssr *s, const lobe_ssr_frame *f, float roughness, 
         const float share = k ? level - floorf(level) : 1.0f - (level - floorf(level));
         if (!(share > 0.0f)) continue;
         const float *rgb = at == 0 ? f->previous_color : s->pyramid.color[at];
-        const v3 color = color_between(rgb, s->pyramid.width[at], s->pyramid.height[at], p);
+        const v3 color =
+            lobe_ssr_color_between(rgb, s->pyramid.width[at], s->pyramid.height[at], p);
         sum = v3_add(sum, v3_scale(color, share));
     }
     return sum;

@@ -3,7 +3,7 @@
 
 #include "pipeline.h"
 
-ssr_camera lobe_ssr_kernel_camera(const lobe_ssr *s, const lobe_ssr_camera *c) {
+ssr_camera lobe_ssr_camera_of(const lobe_ssr_camera *c, float width, float height) {
     return (ssr_camera){.eye = v3_of(c->eye.x, c->eye.y, c->eye.z),
                         .right = v3_of(c->right.x, c->right.y, c->right.z),
                         .up = v3_of(c->up.x, c->up.y, c->up.z),
@@ -12,8 +12,12 @@ ssr_camera lobe_ssr_kernel_camera(const lobe_ssr *s, const lobe_ssr_camera *c) {
                         .tan_y = c->tan_y,
                         .near_z = c->near_z,
                         .far_z = c->far_z,
-                        .width = (float)s->width,
-                        .height = (float)s->height};
+                        .width = width,
+                        .height = height};
+}
+
+ssr_camera lobe_ssr_kernel_camera(const lobe_ssr *s, const lobe_ssr_camera *c) {
+    return lobe_ssr_camera_of(c, (float)s->width, (float)s->height);
 }
 
 float lobe_ssr_z_at(const lobe_ssr_frame *f, size_t pixel) {
@@ -28,13 +32,13 @@ void lobe_ssr_motion_at(const lobe_ssr_frame *f, size_t pixel, float motion[2]) 
     motion[0] = motion[1] = 0.0f;
 }
 
-/* Some unit vector across the unit vector z, continuous but for one point (Duff et al. 2017). */
-static v3 across(v3 z) {
+/* Continuous but for one point (Duff et al. 2017). */
+v3 lobe_ssr_across(v3 z) {
     const float sign = copysignf(1.0f, z.z), a = -1.0f / (sign + z.z);
     return v3_of(1.0f + sign * z.x * z.x * a, sign * z.x * z.y * a, -sign * z.x);
 }
 
-static v3 cross(v3 a, v3 b) {
+v3 lobe_ssr_cross(v3 a, v3 b) {
     return v3_of(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
 }
 
@@ -47,8 +51,8 @@ int lobe_ssr_surface_at(const ssr_camera *c, const lobe_ssr_frame *f, int x, int
     /* also false for what is not a number */
     if (!(z > 0.0f) || !(length2 > 1e-12f) || !(length2 < 1e12f) || !isfinite(roughness)) return 0;
     surface->z = v3_normalize(normal);
-    surface->x = across(surface->z);
-    surface->y = cross(surface->z, surface->x);
+    surface->x = lobe_ssr_across(surface->z);
+    surface->y = lobe_ssr_cross(surface->z, surface->x);
     const v3 view = ssr_view_vector(*c, (float)x + 0.5f, (float)y + 0.5f, z);
     surface->distance = k_sqrt(v3_dot(view, view));
     if (!(surface->distance > 0.0f) || !isfinite(surface->distance)) return 0;
