@@ -301,7 +301,19 @@ static lobe_app_dielectric_surface dielectric_of(const albedo_values *v) {
     s.options.g2 = (lobe_g2)v->model.g2;
     s.options.transport = (lobe_transport)v->model.transport;
     s.options.compensate = v->compensation == TURQUIN;
+    s.walks = v->compensation == WALK ? v->walks : 0;
+    s.seed = v->seed;
     return s;
+}
+
+static lobe_app_status check_walks(const albedo_values *v) {
+    if (v->compensation == WALK &&
+        (v->model.masking != LOBE_MASKING_SMITH || v->model.g2 != LOBE_G2_CORRELATED))
+        return lobe_app_reject("--multiscatter", "take another, or leave it out",
+                               "walks are known for --masking smith --g2 correlated only");
+    if (v->walks < 1 || v->walks > 1000000000)
+        return lobe_app_reject("--walks", "give 1 to 1000000000", "out of range");
+    return LOBE_APP_DONE;
 }
 
 static lobe_app_status check_dielectric(const albedo_values *v) {
@@ -311,16 +323,15 @@ static lobe_app_status check_dielectric(const albedo_values *v) {
     if (v->method != METHOD_QUADRATURE)
         return lobe_app_reject("--method", "take --method quadrature",
                                "%s is known for --bsdf reflection only", methods[v->method]);
-    if (v->compensation != COMPENSATION_NONE && v->compensation != TURQUIN)
-        return lobe_app_reject("--multiscatter", "take none or turquin",
-                               "%s is known for --bsdf reflection only",
-                               compensations[v->compensation]);
+    if (v->compensation == KULLA_CONTY)
+        return lobe_app_reject("--multiscatter", "take none, turquin or walk",
+                               "kulla-conty is known for --bsdf reflection only");
     const lobe_app_dielectric_surface s = dielectric_of(v);
     if (!lobe_dielectric_prepare_f64(s.options, v->model.wi, s.alpha[0], s.alpha[1], s.ior)
              .is_valid)
         return lobe_app_reject("--alpha", "give a smaller roughness", "%g,%g is too large",
                                s.alpha[0], s.alpha[1]);
-    return LOBE_APP_DONE;
+    return check_walks(v);
 }
 
 static lobe_vec3_f64 toward(double mu) {
@@ -400,12 +411,7 @@ static lobe_app_status check(const albedo_values *v, const lobe_app_arguments *a
     if (v->method == METHOD_TABLE && (alpha[0] > 2 || alpha[1] > 2))
         return lobe_app_reject("--method", "take --method quadrature",
                                "the table ends at a roughness of 2");
-    if (v->compensation == WALK && (s.masking != LOBE_MASKING_SMITH || s.g2 != LOBE_G2_CORRELATED))
-        return lobe_app_reject("--multiscatter", "take another, or leave it out",
-                               "walks are known for --masking smith --g2 correlated only");
-    if (v->walks < 1 || v->walks > 1000000000)
-        return lobe_app_reject("--walks", "give 1 to 1000000000", "out of range");
-    return LOBE_APP_DONE;
+    return check_walks(v);
 }
 
 static lobe_app_status write_rows(const albedo_values *v, const lobe_app_arguments *arguments) {
@@ -451,7 +457,7 @@ lobe_app_status lobe_app_albedo(int argc, char **argv) {
         "scattering;\n"
         "energy, their sum before transmission changes radiance; furnace, the same with the "
         "chosen\n"
-        "compensation.\n"
+        "compensation or by walks; all_r and all_t, r and t of that.\n"
         "With --geometric-normal, e and furnace count only what leaves above that plane too;\n"
         "e_avg and f_ms do not know it.",
         NULL,

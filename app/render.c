@@ -113,8 +113,8 @@ static const lobe_app_option method_options[] = {
     {"--normalization", "NAME", "unbiased", "of the densities behind a shading normal",
      lobe_app_read_choice, AT(normalization), lobe_app_normalizations},
     {"--multiscatter", "NAME", "none",
-     "what metals scatter more than once: an approximation, or random walks", lobe_app_read_choice,
-     AT(multiscatter), multiscatters},
+     "what metals and glass scatter more than once: an approximation, or random walks",
+     lobe_app_read_choice, AT(multiscatter), multiscatters},
     {"--heuristic", "NAME", "balance", "how light and surface samples are combined",
      lobe_app_read_choice, AT(heuristic), heuristics},
     {0}};

@@ -12,7 +12,8 @@
 #include "lobe/random.h"
 #include "lobe/walk.h"
 
-#include "../kernel/refract.h"
+#include "../kernel/dielectric.h"
+#include "../kernel/dielectric_masking.h"
 #include "walk_sight.h"
 
 #include <stddef.h>
@@ -147,25 +148,93 @@ static double depth_below(double depth) {
     return -k_log(share);
 }
 
+/* A direction as it is seen from a side of the surface. */
+static v3 from_side(v3 w, bool inside) {
+    return v3_scale(w, inside ? -1.0 : 1.0);
+}
+
+static bool begin_dielectric(walker *k, lobe_microsurface s, double ior, lobe_vec3_f64 wi,
+                             uint64_t seed, uint64_t index) {
+    const bool known = ior >= 1e-3 && ior <= 1e3;
+    return begin(k, s, from_side(inward(wi), wi.z < 0.0), seed, index) && known;
+}
+
+/* Reflects or refracts; whether the ray is inside then. */
+static bool scatter(walker *k, double ior, bool inside) {
+    const facet_draw draw = meet(k);
+    const refract_index n = refract_index_of(ior, inside);
+    const refract_light light = refract_at(n, draw.cos_im);
+    if (unit(k->random.word[3]) < light.reflectance) {
+        go_on(k, draw.wo);
+        return inside;
+    }
+    const v3 through = refract_out(n, light, v3_scale(k->w, -1.0), draw.m);
+    go_on(k, v3_scale(through, -1.0));
+    k->depth = depth_below(k->depth);
+    return !inside;
+}
+
 lobe_walk lobe_walk_dielectric_sample(lobe_microsurface s, double ior, lobe_vec3_f64 wi,
                                       uint64_t seed, uint64_t index, int most) {
     walker k;
     bool inside = wi.z < 0.0;
-    const v3 seen = v3_scale(inward(wi), inside ? -1.0 : 1.0);
-    if (!(ior >= 1e-3 && ior <= 1e3) || !begin(&k, s, seen, seed, index)) return cut;
+    if (!begin_dielectric(&k, s, ior, wi, seed, index)) return cut;
     while (fly(&k)) {
         if (k.bounces >= (uint64_t)most) return cut;
-        const facet_draw draw = meet(&k);
-        const refract_index n = refract_index_of(ior, inside);
-        const refract_light light = refract_at(n, draw.cos_im);
-        if (unit(k.random.word[3]) < light.reflectance) {
-            go_on(&k, draw.wo);
-            continue;
-        }
-        const v3 through = refract_out(n, light, v3_scale(k.w, -1.0), draw.m);
-        go_on(&k, v3_scale(through, -1.0));
-        k.depth = depth_below(k.depth);
-        inside = !inside;
+        inside = scatter(&k, ior, inside);
     }
-    return (lobe_walk){outward(v3_scale(k.w, inside ? -1.0 : 1.0)), (int)k.bounces};
+    return (lobe_walk){outward(from_side(k.w, inside)), (int)k.bounces};
+}
+
+/* What the facets that a ray sees scatter to o, on either side of the surface, shadowing left out. */
+static double scattered(const walk_sight *sight, double ior, bool inside, v3 i, v3 o) {
+    const refract_index n = refract_index_of(ior, inside);
+    double cos_im;
+    if (o.z > 0.0) {
+        const double density = walk_sight_toward(sight, o, &cos_im);
+        return density * refract_at(n, cos_im).reflectance;
+    }
+    /* equal indices: a point mass */
+    if (k_abs(n.excess) <= DIELECTRIC_MATCHED) return 0.0;
+    const v3 m = v3_normalize(refract_half_vector(n, i, o));
+    const double density = walk_sight_density(sight, m, &cos_im), cos_om = v3_dot(o, m);
+    if (!(density > 0.0 && cos_om < 0.0)) return 0.0;
+    const refract_light light = refract_toward(n, cos_im, cos_om);
+    return k_usable(density * refract_jacobian(n, light) * light.transmittance);
+}
+
+/* The first scattering exactly: reflected 1/(1 + Lambda(i) + Lambda(o)), through the surface
+ * B(1 + Lambda(i), 1 + Lambda(o)), both over 1/(1 + Lambda(i)). */
+static double first_value(const walker *k, double ior, bool inside, v3 o, double lambda) {
+    const v3 i = v3_scale(k->w, -1.0);
+    const walk_sight sight = walk_sight_of(k->s, i);
+    const double once = 1.0 + walk_lambda(k->s, i);
+    const double seen =
+        o.z > 0.0 ? once / (once + lambda) : once * dielectric_beta(once - 1.0, lambda);
+    return seen * scattered(&sight, ior, inside, i, o);
+}
+
+/* From the facet that was met. */
+static double next_value(const walker *k, double ior, bool inside, v3 o, double lambda) {
+    const double depth = o.z > 0.0 ? k->depth : depth_below(k->depth);
+    return k_exp(-k_min(depth * lambda, 700.0)) *
+           scattered(&k->sight, ior, inside, v3_scale(k->w, -1.0), o);
+}
+
+int lobe_walk_dielectric_eval(lobe_microsurface s, double ior, lobe_vec3_f64 wi, lobe_vec3_f64 wo,
+                              uint64_t seed, uint64_t index, int most, double *value) {
+    walker k;
+    bool inside = wi.z < 0.0;
+    const v3 o = inward(wo);
+    *value = 0.0;
+    const bool usable = facet_inputs_usable(o, 1.0, 1.0, v3_of(0.0, 0.0, 1.0)) && o.z != 0.0;
+    if (!usable || !begin_dielectric(&k, s, ior, wi, seed, index)) return 0;
+    const double lambda = walk_lambda(s, from_side(o, o.z < 0.0));
+    double sum = first_value(&k, ior, inside, from_side(o, inside), lambda);
+    while (k.bounces < (uint64_t)most && fly(&k)) {
+        if (k.bounces > 0) sum += next_value(&k, ior, inside, from_side(o, inside), lambda);
+        inside = scatter(&k, ior, inside);
+    }
+    *value = sum;
+    return 1;
 }

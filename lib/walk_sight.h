@@ -57,6 +57,24 @@ static inline double walk_sight_toward(const walk_sight *k, v3 wo, double *cos_i
     return pair.leaves && !k->is_blind ? k_usable(density) : 0.0;
 }
 
+/* Density with which they have the normal m, over normals */
+static inline double walk_sight_density(const walk_sight *k, v3 m, double *cos_im) {
+    facet_pair pair;
+    double density;
+    if (k->is_ggx) {
+        const ggx_base *g = &k->ggx.cap.g;
+        pair = ggx_pair_of_m(*g, m);
+        density = pair.d * g->value_scale;
+    } else {
+        const beckmann_base *g = &k->beckmann.g;
+        pair = beckmann_pair_of_m(*g, m);
+        density = pair.d / (2.0 * g->visible);
+    }
+    *cos_im = pair.cos_im;
+    const bool faces = pair.cos_im > 0.0 && m.z > 0.0 && !k->is_blind;
+    return faces ? k_usable(4.0 * pair.cos_im * density) : 0.0;
+}
+
 /* Lambda of a direction above the surface */
 static inline double walk_lambda(lobe_microsurface s, v3 w) {
     const double ax = ggx_alpha_floor(s.alpha_x), ay = ggx_alpha_floor(s.alpha_y);

@@ -286,3 +286,21 @@ float lobe_coat_average(const coat *c) {
     const float *low = c->table->average[row] + ratio, *high = c->table->average[row + 1] + ratio;
     return mix(mix(low[0], low[1], aside), mix(high[0], high[1], aside), along);
 }
+
+/* share (t + (1 - t) (F - f0)/(1 - f0)) with t = min(f0 color, 1): `one` is negative where the colour is dark. */
+static void tint_channel(float f0, float share, float color, float *one, float *own) {
+    float tinted = fminf(f0 * color, 1.0f), scale = share / (1.0f - f0);
+    *one = scale * (tinted - f0);
+    *own = scale * (1.0f - tinted);
+}
+
+coat_tint lobe_coat_tint(float ior, float share, vec3 color) {
+    coat_tint t = {v3_all(0.0f), v3_all(share), 0.0f, share};
+    if (color.x == 1.0f && color.y == 1.0f && color.z == 1.0f) return t;
+    float amplitude = (ior - 1.0f) / (ior + 1.0f), f0 = amplitude * amplitude;
+    tint_channel(f0, share, color.x, &t.one.x, &t.own.x);
+    tint_channel(f0, share, color.y, &t.one.y, &t.own.y);
+    tint_channel(f0, share, color.z, &t.one.z, &t.own.z);
+    tint_channel(f0, share, v3_max(color), &t.most_one, &t.most_own);
+    return t;
+}

@@ -47,6 +47,16 @@ const coat_table *lobe_coat_table(lobe_ndf ndf, lobe_masking masking, lobe_g2 g2
 int lobe_coat_build(coat_table *table, lobe_ndf ndf, lobe_masking masking, lobe_g2 g2,
                     int has_anisotropy);
 
+/* KHR_materials_specular: the coat reflects one + own F of its index, by channel; `most` is the channel
+ * that reflects most, at every angle. */
+typedef struct coat_tint {
+    vec3 one, own;
+    float most_one, most_own;
+} coat_tint;
+
+/* F straight ahead times `color`, at most 1, F at grazing angles as it is, all times `share`. */
+coat_tint lobe_coat_tint(float ior, float share, vec3 color);
+
 /* The coat at a shading point. */
 typedef struct coat {
     const coat_table *table;

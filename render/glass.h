@@ -4,7 +4,10 @@
  * A solid is a boundary between air and a material of index `ior` (lobe/dielectric.h); the outside is where
  * its triangles face. A thin wall is a sheet of parallel interfaces (thickness 0): the facets reflect
  * F' = 2F/(1 + F), and what is left goes on as if it was reflected, to the other side (glTF: a rough
- * sheet blurs). What is transmitted is tinted by the base colour, at each passing. */
+ * sheet blurs). What is transmitted is tinted by the base colour, at each passing.
+ *
+ * Where all scatterings on a rough solid are walked (lobe/walk.h), a density stands for that of the walks: that of
+ * one scattering and a cosine on each side, by the shares of the two. */
 #ifndef LOBE_RENDER_GLASS_H
 #define LOBE_RENDER_GLASS_H
 
@@ -23,6 +26,8 @@ typedef struct glass_material {
 typedef struct glass_options {
     lobe_reflection_options ggx; /* of thin walls */
     int compensate;              /* R + T = 1 */
+    int walks;                   /* of solids, instead */
+    uint64_t walk_seed;
 } glass_options;
 
 typedef struct glass {
@@ -30,6 +35,9 @@ typedef struct glass {
     frame frame;    /* of a solid: z outward; of a sheet: toward the viewer */
     vec3 geometric; /* normal, toward the viewer */
     lobe_dielectric_f32 solid;
+    lobe_vec3_f64 wi; /* in its frame */
+    float walk_once;  /* share of its walks that scatter once, roughly; 0: it does not walk */
+    uint64_t walk_seed;
     lobe_reflection_f32 sheet;
     float factor; /* what makes up for the energy that a sheet loses */
 } glass;
@@ -47,7 +55,8 @@ glass lobe_glass_at(const glass_options *options, glass_material material, frame
 /* `side` chooses between reflection and transmission; u3 is the sampling method's own. */
 glass_draw lobe_glass_draw(const glass *g, float u1, float u2, float u3, float side);
 
-/* f cos and density at a direction on either side; 0 of point masses. */
+/* f cos and density at a direction on either side; 0 of point masses. Of walks an estimate, the same at each
+ * call. */
 vec3 lobe_glass_value(const glass *g, vec3 direction, float *pdf);
 
 /* Nothing but point masses. */

@@ -19,7 +19,8 @@ int lobe_gltf_knows(const char *extension) {
         "KHR_lights_punctual",        "KHR_materials_anisotropy",
         "KHR_materials_unlit",        "KHR_materials_emissive_strength",
         "KHR_materials_transmission", "KHR_materials_ior",
-        "KHR_materials_volume",       "KHR_mesh_quantization",
+        "KHR_materials_volume",       "KHR_materials_specular",
+        "KHR_materials_clearcoat",    "KHR_mesh_quantization",
         "KHR_texture_transform",
     };
     for (size_t i = 0; i < sizeof known / sizeof *known; i++)

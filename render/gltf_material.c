@@ -136,12 +136,41 @@ static float absorption_of(double color, double distance) {
     return (float)fmin(-log(fmax(color, 1e-30)) / distance, 1e30);
 }
 
+static void read_specular(material_reader *k, const gltf_material *from, material_needs *needs,
+                          material *m) {
+    const double *color = from->specular_color;
+    m->specular = unit(from->specular);
+    m->specular_color =
+        v3(fmaxf(finite_or(color[0], 1.0f), 0.0f), fmaxf(finite_or(color[1], 1.0f), 0.0f),
+           fmaxf(finite_or(color[2], 1.0f), 0.0f));
+    if (!(m->specular > 0.0f)) return;
+    m->specular_map = read_map(k, &from->specular_share, 0, needs);
+    m->specular_color_map = read_map(k, &from->specular_tint, 1, needs);
+}
+
+static void read_clearcoat(material_reader *k, const gltf_material *from, material_needs *needs,
+                           material *m) {
+    m->clearcoat = unit(from->clearcoat);
+    if (!(m->clearcoat > 0.0f)) return;
+    m->clearcoat_roughness = unit(from->clearcoat_roughness);
+    m->clearcoat_normal_scale = finite_or(from->clearcoat_normal_scale, 1.0f);
+    m->clearcoat_normal_map = read_map(k, &from->clearcoat_normal, 0, needs);
+    m->clearcoat_map = read_map(k, &from->clearcoat_share, 0, needs);
+    m->clearcoat_roughness_map = read_map(k, &from->clearcoat_rough, 0, needs);
+}
+
 static void read_glass(material_reader *k, const gltf_material *from, material_needs *needs,
                        material *m) {
     const double *color = from->attenuation_color, distance = from->attenuation_distance;
     m->ior = index_of(from->ior);
     m->transmission = unit(from->transmission);
     if (!(m->transmission > 0.0f)) return;
+    if (m->specular < 1.0f || v3_max(m->specular_color) != 1.0f ||
+        m->specular_map.texture != NO_TEXTURE || m->specular_color_map.texture != NO_TEXTURE)
+        lobe_warn(&k->scene->warnings,
+                  "%s: KHR_materials_specular of a material that transmits; what does not "
+                  "transmit has it, the glass has not",
+                  k->reader->path);
     m->transmission_map = read_map(k, &from->transmissive, 0, needs);
     m->thickness = fmaxf(finite_or(from->thickness, 0.0f), 0.0f);
     m->absorption = v3(absorption_of(color[0], distance), absorption_of(color[1], distance),
@@ -172,6 +201,8 @@ static material read_material(material_reader *k, const gltf_material *from,
     m.stretch_x = cosf(finite_or(from->anisotropy_rotation, 0.0f));
     m.stretch_y = sinf(finite_or(from->anisotropy_rotation, 0.0f));
     if (m.stretch > 0.0f) m.stretch_map = read_map(k, &from->anisotropic, 0, needs);
+    read_clearcoat(k, from, needs, &m);
+    read_specular(k, from, needs, &m);
     read_glass(k, from, needs, &m);
     /* tangents are along the first set, if nothing asks for another one */
     if (m.stretch > 0.0f && needs->uv_sets[0] < 0) needs->uv_sets[0] = 0;

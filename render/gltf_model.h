@@ -92,11 +92,14 @@ typedef struct gltf_material {
     double emission[3], emissive_strength;
     double normal_scale, alpha_cutoff;
     double anisotropy, anisotropy_rotation;
+    double specular, specular_color[3];
+    double clearcoat, clearcoat_roughness, clearcoat_normal_scale;
     double transmission, ior, thickness;
     double attenuation_distance, attenuation_color[3];
     gltf_alpha alpha;
     int is_unlit;
-    gltf_texture_use base, surface, normal, emissive, anisotropic, transmissive;
+    gltf_texture_use base, surface, normal, emissive, anisotropic, transmissive, specular_share,
+        specular_tint, clearcoat_share, clearcoat_rough, clearcoat_normal;
 } gltf_material;
 
 enum { GLTF_REPEAT = 10497, GLTF_MIRROR = 33648, GLTF_CLAMP = 33071, GLTF_NEAREST = 9728 };

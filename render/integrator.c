@@ -3,8 +3,8 @@
 /* A hit, ready to shade. */
 typedef struct hit_point {
     vec3 position, geometric; /* geometric: toward the viewer */
-    frame shading;
-    float distance;
+    frame shading, smooth;    /* smooth: without normal map, as the triangle faces */
+    float distance, handedness;
     const triangle *triangle;
     const material *material;
     float u[2], v[2];
@@ -69,14 +69,14 @@ static float opacity_at(const lobe_scene *s, const ray_hit *hit) {
     return alpha;
 }
 
-/* The shading normal from the normal map, in world space. */
-static vec3 mapped_normal(const lobe_scene *s, const hit_point *h, const frame *f,
-                          float handedness) {
-    const material *m = h->material;
-    if (m->normal_map.texture == NO_TEXTURE) return f->z;
-    vec3 t = sample_map(s, &m->normal_map, h, v3_all(0.0f));
-    float x = (2.0f * t.x - 1.0f) * m->normal_scale, y = (2.0f * t.y - 1.0f) * m->normal_scale;
-    vec3 local = {x, y * handedness, 2.0f * t.z - 1.0f};
+/* The normal that a normal map says, in world space. */
+static vec3 mapped_normal(const lobe_scene *s, const hit_point *h, const texture_map *map,
+                          float scale) {
+    const frame *f = &h->smooth;
+    if (map->texture == NO_TEXTURE) return f->z;
+    vec3 t = sample_map(s, map, h, v3_all(0.0f));
+    float x = (2.0f * t.x - 1.0f) * scale, y = (2.0f * t.y - 1.0f) * scale;
+    vec3 local = {x, y * h->handedness, 2.0f * t.z - 1.0f};
     return v3_normalize_or(frame_to_world(f, local), f->z);
 }
 
@@ -100,8 +100,9 @@ static hit_point hit_point_of(const lobe_scene *s, const ray_hit *hit, vec3 dire
     h.geometric = v3_scale(face, side);
     vec3 normal = v3_normalize_or(interpolate(a->normal, b->normal, c->normal, u, v), face);
     vec3 tangent = interpolate(a->tangent, b->tangent, c->tangent, u, v);
-    frame smooth = frame_of(normal, tangent);
-    vec3 mapped = mapped_normal(s, &h, &smooth, a->handedness);
+    h.smooth = frame_of(normal, tangent);
+    h.handedness = a->handedness;
+    vec3 mapped = mapped_normal(s, &h, &h.material->normal_map, h.material->normal_scale);
     h.shading = frame_of(v3_scale(mapped, side), tangent);
     h.turn = side * a->handedness;
     h.is_back = side < 0.0f;
@@ -134,7 +135,41 @@ static int is_solid(const material *m) {
     return m->transmission > 0.0f && m->thickness > 0.0f;
 }
 
-static surface surface_of(const path *p, const hit_point *h, vec3 to_viewer, glass *room) {
+/* The front of a solid, and both sides of all else. */
+static void add_clearcoat(const path *p, const hit_point *h, vec3 to_viewer, surface *s,
+                          clearcoat *room) {
+    const lobe_scene *scene = p->k->scene;
+    const material *m = h->material;
+    if (!(m->clearcoat > 0.0f) || (h->is_back && is_solid(m))) return;
+    const float share = m->clearcoat * sample_map(scene, &m->clearcoat_map, h, v3_all(1.0f)).x;
+    const float roughness =
+        m->clearcoat_roughness * sample_map(scene, &m->clearcoat_roughness_map, h, v3_all(1.0f)).y;
+    const vec3 normal =
+        mapped_normal(scene, h, &m->clearcoat_normal_map, m->clearcoat_normal_scale);
+    const frame f = frame_of(v3_scale(normal, h->is_back ? -1.0f : 1.0f), h->smooth.x);
+    if (share > 0.0f)
+        lobe_surface_add_clearcoat(s, room, &p->k->surface, p->k->coats[scene->material_count], f,
+                                   to_viewer, share, roughness);
+}
+
+static coat_tint tint_at(const lobe_scene *s, const hit_point *h) {
+    const material *m = h->material;
+    const texture_map *map = &m->specular_map;
+    float share = m->specular;
+    if (map->texture != NO_TEXTURE)
+        share *= lobe_texture_alpha_at(&s->textures[map->texture], map, h->u[map->uv_set],
+                                       h->v[map->uv_set]);
+    vec3 color = sample_map(s, &m->specular_color_map, h, v3_all(1.0f));
+    return lobe_coat_tint(m->ior, share, v3_mul(m->specular_color, color));
+}
+
+/* What few surfaces have, and all would pay for. */
+typedef struct layers {
+    glass glass;
+    clearcoat clearcoat;
+} layers;
+
+static surface surface_of(const path *p, const hit_point *h, vec3 to_viewer, layers *room) {
     const integrator *k = p->k;
     const material *m = h->material;
     uint64_t random = 0;
@@ -156,6 +191,7 @@ static surface surface_of(const path *p, const hit_point *h, vec3 to_viewer, gla
     if (transmission > 0.0f) metallic /= fmaxf(1.0f - transmission, 1e-6f);
     surface_options options = k->surface;
     options.coat = k->coats[h->triangle->material];
+    options.tint = tint_at(k->scene, h);
     surface s = lobe_surface_at(&options, shading, h->geometric, to_viewer, base_color,
                                 fminf(metallic, 1.0f), roughness, anisotropy, random);
     if (transmission > 0.0f) {
@@ -166,8 +202,9 @@ static surface surface_of(const path *p, const hit_point *h, vec3 to_viewer, gla
                             base_color,
                             alpha * (1.0f + anisotropy),
                             alpha * (1.0f - anisotropy)};
-        lobe_surface_add_glass(&s, room, &k->surface, g, to_viewer, h->is_back);
+        lobe_surface_add_glass(&s, &room->glass, &k->surface, g, to_viewer, h->is_back);
     }
+    add_clearcoat(p, h, to_viewer, &s, &room->clearcoat);
     return s;
 }
 
@@ -418,7 +455,7 @@ film_sample lobe_trace_path(const integrator *k, vec3 origin, vec3 direction, sa
               .spread = 1.0f,
               .is_camera = 1,
               .sample.vndf_integral = 1.0f};
-    glass room;
+    layers room;
     for (int scatterings = 0;; scatterings++) {
         ray_hit hit;
         if (!meet_surface(&p, &hit)) {
@@ -453,15 +490,16 @@ int lobe_first_surface(const lobe_scene *s, vec3 origin, vec3 direction,
     const material *m = h.material;
     const vec3 packed = sample_map(s, &m->surface_map, &h, v3_all(1.0f));
     const float metallic = m->metallic * packed.z, step = (m->ior - 1.0f) / (m->ior + 1.0f);
+    const coat_tint tint = tint_at(s, &h);
+    const vec3 coat_f0 = v3_add(tint.one, v3_scale(tint.own, step * step));
     frame shading = h.shading;
     float roughness = m->roughness * packed.y, anisotropy = m->anisotropy;
     if (m->stretch > 0.0f) stretch(s, &h, &shading, &roughness, &anisotropy);
-    *surface =
-        (lobe_ray_surface){.distance = h.distance,
-                           .position = h.position,
-                           .normal = h.shading.z,
-                           .geometric = h.geometric,
-                           .f0 = v3_lerp(v3_all(step * step), base_color_at(s, &h), metallic),
-                           .roughness = roughness};
+    *surface = (lobe_ray_surface){.distance = h.distance,
+                                  .position = h.position,
+                                  .normal = h.shading.z,
+                                  .geometric = h.geometric,
+                                  .f0 = v3_lerp(coat_f0, base_color_at(s, &h), metallic),
+                                  .roughness = roughness};
     return 1;
 }

@@ -9,8 +9,8 @@
 
 typedef struct integrator {
     const lobe_scene *scene;
-    surface_options surface; /* its coat is that of the material: */
-    const coat_table *const *coats;
+    surface_options surface;        /* its coat is that of the material: */
+    const coat_table *const *coats; /* after the last material's, that of COAT_IOR */
     lobe_heuristic heuristic;
     int depth, roulette_depth;
 } integrator;
@@ -22,7 +22,7 @@ film_sample lobe_trace_path(const integrator *k, vec3 origin, vec3 direction, sa
 /* The first surface of a ray, as lobe_rays_meet tells it. */
 int lobe_first_surface(const lobe_scene *s, vec3 origin, vec3 direction, lobe_ray_surface *surface);
 
-/* The coat's table of every material, by malloc; NULL: no memory. */
+/* The coat's table of every material and of COAT_IOR, by malloc; NULL: no memory. */
 const coat_table **lobe_find_coats(const lobe_scene *s, const lobe_reflection_options *o);
 
 #endif

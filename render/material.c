@@ -1,15 +1,41 @@
 #include "material.h"
 
+/* Of an index that is high F dips on the way to the horizon: a dark tint could take more than there is. */
+static vec3 coat_fresnel(const surface *s, float cosine) {
+    vec3 own = v3_scale(s->tint.own, lobe_fresnel_dielectric_f32(s->ior, cosine));
+    vec3 f = v3_scale(v3_add(s->tint.one, own), 1.0f - s->metallic);
+    return v3(fmaxf(f.x, 0.0f), fmaxf(f.y, 0.0f), fmaxf(f.z, 0.0f));
+}
+
 static vec3 fresnel(const surface *s, float cosine) {
-    float coat = (1.0f - s->metallic) * lobe_fresnel_dielectric_f32(s->ior, cosine);
+    vec3 coat = coat_fresnel(s, cosine);
     vec3 f0 = s->base_color;
     vec3 metal = {lobe_fresnel_schlick_f32(f0.x, cosine), lobe_fresnel_schlick_f32(f0.y, cosine),
                   lobe_fresnel_schlick_f32(f0.z, cosine)};
-    return v3_add(v3_scale(v3_mul(metal, s->factor), s->metallic), v3_all(coat));
+    return v3_add(v3_scale(v3_mul(metal, s->factor), s->metallic), coat);
+}
+
+/* The albedo of the coat toward a local direction, and its average, in the channel that reflects most. */
+static float coat_albedo(const surface *s, vec3 w) {
+    float e = s->tint.most_own * lobe_coat_albedo(&s->coat, w);
+    if (s->tint.most_one != 0.0f)
+        e += s->tint.most_one * (1.0f - lobe_albedo_missing_f32(&s->albedo, w));
+    return clampf(e, 0.0f, 1.0f);
+}
+
+static float coat_average(const surface *s) {
+    float e = s->tint.most_own * lobe_coat_average(&s->coat);
+    if (s->tint.most_one != 0.0f) e += s->tint.most_one * (1.0f - s->albedo.missing_average);
+    return clampf(e, 0.0f, 0.9999f);
 }
 
 static float fms(float f0, float missing_average) {
     return lobe_multiscatter_fms_f32(lobe_fresnel_schlick_average_f32(f0), missing_average);
+}
+
+static lobe_albedo_f32 albedo_of(const surface *s, const lobe_reflection_options *o) {
+    return lobe_albedo_prepare_f32(o->model.ndf, o->model.masking, o->g2, s->ggx.alpha_x,
+                                   s->ggx.alpha_y);
 }
 
 /* The metal's scatterings after the first; returns the albedo of the second lobe. */
@@ -19,8 +45,7 @@ static float compensate(surface *s, lobe_multiscatter multiscatter,
     s->factor = v3_all(1.0f);
     if (multiscatter == LOBE_MULTISCATTER_NONE || !(s->metallic > 0.0f)) return 0.0f;
     if (multiscatter == LOBE_MULTISCATTER_WALK && !(s->ggx.wi.z > 0.0f)) return 0.0f;
-    s->albedo = lobe_albedo_prepare_f32(o->model.ndf, o->model.masking, o->g2, s->ggx.alpha_x,
-                                        s->ggx.alpha_y);
+    s->albedo = albedo_of(s, o);
     float missing = lobe_albedo_missing_f32(&s->albedo, s->ggx.wi);
     if (s->ggx.is_mirror || !(missing > 0.0f)) return 0.0f;
     if (multiscatter == LOBE_MULTISCATTER_WALK) {
@@ -44,11 +69,12 @@ static float compensate(surface *s, lobe_multiscatter multiscatter,
 }
 
 /* In proportion to what each lobe reflects; `rest` by the metal's second lobe. Neither the GGX nor a
- * base is starved. */
+ * base is starved, if it is there. */
 static float specular_probability(const surface *s, float coat_i, float rest) {
     float base = v3_luminance(s->base_color);
     float specular = s->metallic * base + (1.0f - s->metallic) * coat_i;
     float diffuse = (1.0f - s->metallic) * base * (1.0f - coat_i) + rest;
+    if (!(specular > 0.0f) && diffuse > 0.0f) return 0.0f;
     return clampf(specular / fmaxf(specular + diffuse, 1e-6f), 0.1f, 1.0f);
 }
 
@@ -83,6 +109,7 @@ surface lobe_surface_at(const surface_options *options, frame shading, vec3 geom
                  .base_color = base_color,
                  .metallic = metallic,
                  .ior = options->coat->ior,
+                 .tint = options->tint,
                  .walk_seed = random,
                  .ndf = options->ggx.model.ndf,
                  .masking = options->ggx.model.masking};
@@ -97,9 +124,9 @@ surface lobe_surface_at(const surface_options *options, frame shading, vec3 geom
     s.specular = rest > 0.0f ? specular_probability(&s, 0.0f, rest) : 1.0f;
     if (metallic >= 1.0f) return s;
     s.coat = lobe_coat_at(options->coat, &s.ggx);
-    float coat_i = lobe_coat_albedo(&s.coat, wi);
-    s.base_share_i =
-        (1.0f - metallic) * (1.0f - coat_i) / (LOBE_PI * (1.0f - lobe_coat_average(&s.coat)));
+    if (s.tint.most_one != 0.0f && !s.albedo.is_valid) s.albedo = albedo_of(&s, &options->ggx);
+    float coat_i = coat_albedo(&s, wi);
+    s.base_share_i = (1.0f - metallic) * (1.0f - coat_i) / (LOBE_PI * (1.0f - coat_average(&s)));
     s.specular = specular_probability(&s, coat_i, rest);
     if (s.walks > 0.0f) share_walks(&s, coat_i);
     return s;
@@ -137,7 +164,11 @@ static vec3 walk_value(const surface *s, vec3 wo) {
 
 void lobe_surface_add_glass(surface *s, glass *room, const surface_options *options,
                             glass_material material, vec3 to_viewer, int is_back) {
-    glass_options o = {options->ggx, options->multiscatter != LOBE_MULTISCATTER_NONE};
+    const int walks = options->multiscatter == LOBE_MULTISCATTER_WALK;
+    /* of thin walls no walk is known */
+    const int compensate =
+        walks ? material.is_thin : options->multiscatter != LOBE_MULTISCATTER_NONE;
+    glass_options o = {options->ggx, compensate, walks, s->walk_seed};
     o.ggx.model.method = method_of(options->ggx.model.method, 0.0f, material.alpha_x, 1.0f);
     *room = lobe_glass_at(&o, material, s->frame, s->geometric, to_viewer, is_back);
     s->glass = room;
@@ -147,10 +178,24 @@ static float glass_share(const surface *s) {
     return s->glass ? s->glass->material.share : 0.0f;
 }
 
-int lobe_surface_is_clear(const surface *s) {
+void lobe_surface_add_clearcoat(surface *s, clearcoat *room, const surface_options *options,
+                                const coat_table *table, frame shading, vec3 to_viewer, float share,
+                                float roughness) {
+    lobe_reflection_options o = options->ggx;
+    o.model.method = method_of(o.model.method, 0.0f, roughness * roughness, 1.0f);
+    *room = lobe_clearcoat_at(&o, table, shading, s->geometric, to_viewer, share, roughness,
+                              v3_luminance(s->base_color));
+    s->clearcoat = room;
+}
+
+static int is_clear_below(const surface *s) {
     float share = glass_share(s);
     if (share > 0.0f && !lobe_glass_is_clear(s->glass)) return 0;
     return share >= 1.0f || (s->ggx.is_mirror && s->specular >= 1.0f);
+}
+
+int lobe_surface_is_clear(const surface *s) {
+    return (!s->clearcoat || s->clearcoat->ggx.is_mirror) && is_clear_below(s);
 }
 
 /* What the GGX alone makes of a direction. */
@@ -165,7 +210,7 @@ static vec3 value_beside(const surface *s, vec3 wo, ggx_value ggx, float *pdf) {
     if (v3_max(s->rest) > 0.0f)
         value = v3_add(value, v3_scale(s->rest, lobe_albedo_missing_f32(&s->albedo, wo) * wo.z));
     if (!(s->base_share_i > 0.0f)) return value;
-    float share = s->base_share_i * (1.0f - lobe_coat_albedo(&s->coat, wo)) * wo.z;
+    float share = s->base_share_i * (1.0f - coat_albedo(s, wo)) * wo.z;
     return v3_add(value, v3_scale(s->base_color, share));
 }
 
@@ -195,7 +240,8 @@ static vec3 opaque_value(const surface *s, vec3 direction, float *pdf) {
     return s->walks > 0.0f ? v3_add(value, walk_value(s, wo)) : value;
 }
 
-vec3 lobe_surface_value(const surface *s, vec3 direction, float *pdf) {
+/* Of all below a clear coat. */
+static vec3 value_below(const surface *s, vec3 direction, float *pdf) {
     float share = glass_share(s);
     if (!(share > 0.0f)) return opaque_value(s, direction, pdf);
     vec3 value = v3_scale(lobe_glass_value(s->glass, direction, pdf), share);
@@ -204,6 +250,15 @@ vec3 lobe_surface_value(const surface *s, vec3 direction, float *pdf) {
     vec3 rest = opaque_value(s, direction, &pdf_of_rest);
     *pdf = share * *pdf + (1.0f - share) * pdf_of_rest;
     return v3_add(value, v3_scale(rest, 1.0f - share));
+}
+
+vec3 lobe_surface_value(const surface *s, vec3 direction, float *pdf) {
+    vec3 value = value_below(s, direction, pdf);
+    const clearcoat *c = s->clearcoat;
+    if (!c) return value;
+    float coat_pdf, coat = lobe_clearcoat_value(c, direction, &coat_pdf);
+    *pdf = c->probability * coat_pdf + (1.0f - c->probability) * *pdf;
+    return v3_add(v3_scale(value, c->keeps), v3_all(coat));
 }
 
 static surface_draw rejected(int is_ggx) {
@@ -268,7 +323,12 @@ static surface_draw draw_opaque(const surface *s, float choice, float u1, float 
     return draw_base(s, u1, u2);
 }
 
-/* A draw of one of several lobes, weighed as one of all. Of a point mass nothing else can be drawn, and
+/* A walk has no density to divide by: beside one, every lobe is weighed alone. */
+static int has_walks(const surface *s) {
+    return s->walks > 0.0f || (s->glass && s->glass->walk_once > 0.0f);
+}
+
+/* A draw of the glass or of the rest, weighed as one of both. Of a point mass nothing else can be drawn, and
  * its share is its probability. */
 static surface_draw among_others(const surface *s, surface_draw d, float probability) {
     if (!(d.pdf > 0.0f)) return d;
@@ -276,13 +336,13 @@ static surface_draw among_others(const surface *s, surface_draw d, float probabi
         d.pdf *= probability;
         return d;
     }
-    vec3 value = lobe_surface_value(s, d.direction, &d.pdf);
-    /* a walk has no density to divide by: beside one, every lobe is weighed alone */
-    if (!(s->walks > 0.0f)) d.weight = d.pdf > 0.0f ? v3_scale(value, 1.0f / d.pdf) : v3_all(0.0f);
+    vec3 value = value_below(s, d.direction, &d.pdf);
+    if (has_walks(s)) return d;
+    d.weight = d.pdf > 0.0f ? v3_scale(value, 1.0f / d.pdf) : v3_all(0.0f);
     return d;
 }
 
-surface_draw lobe_surface_draw(const surface *s, float choice, float u1, float u2, float side) {
+static surface_draw draw_below(const surface *s, float choice, float u1, float u2, float side) {
     float share = glass_share(s);
     if (!(share > 0.0f)) return draw_opaque(s, choice, u1, u2);
     if (!(choice < share))
@@ -291,4 +351,24 @@ surface_draw lobe_surface_draw(const surface *s, float choice, float u1, float u
     glass_draw g = lobe_glass_draw(s->glass, u1, u2, choice / share, side);
     surface_draw d = {g.direction, g.weight, g.pdf, g.is_point, 1};
     return share < 1.0f ? among_others(s, d, share) : d;
+}
+
+surface_draw lobe_surface_draw(const surface *s, float choice, float u1, float u2, float side) {
+    const clearcoat *c = s->clearcoat;
+    if (!c) return draw_below(s, choice, u1, u2, side);
+    float probability = c->probability;
+    surface_draw d;
+    if (choice < probability) {
+        clearcoat_draw above = lobe_clearcoat_draw(c, u1, u2, choice / probability);
+        d = (surface_draw){above.direction, v3_all(above.weight / probability), above.pdf,
+                           c->ggx.is_mirror, 1};
+    } else {
+        choice = (choice - probability) / (1.0f - probability);
+        d = draw_below(s, choice, u1, u2, side);
+        d.weight = v3_scale(d.weight, c->keeps / (1.0f - probability));
+    }
+    if (!(d.pdf > 0.0f) || d.is_mirror) return d;
+    vec3 value = lobe_surface_value(s, d.direction, &d.pdf);
+    if (!has_walks(s)) d.weight = d.pdf > 0.0f ? v3_scale(value, 1.0f / d.pdf) : v3_all(0.0f);
+    return d;
 }

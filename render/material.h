@@ -3,10 +3,11 @@
  * Metal and coat share one GGX: F = metallic * Schlick(base colour) + (1 - metallic) * dielectric.
  * The base gets what the coat lets through (Kelemen & Szirmay-Kalos 2001):
  * f = base (1 - E(i)) (1 - E(o)) / (pi (1 - E_avg)), E the albedo of the coat as the table of coat.h
- * has it, E_avg its exact average. A white dielectric then reflects 1 + (true E - E of the table):
+ * has it, in the channel that reflects most, E_avg its exact average. A white dielectric then reflects 1 + (true E - E of the table):
  * all light, and never more, for the table bounds E from above.
  *
- * What transmits is a share of the surface, beside all of this (glass.h).
+ * What transmits is a share of the surface, beside all of this (glass.h). A clear coat lies above all of it
+ * (clearcoat.h).
  *
  * What the metal scatters more than once is left out, added as a second lobe (Kulla & Conty 2017), drawn
  * like the base, made up for by a factor (Turquin 2019): lobe/albedo.h; or followed by random walks
@@ -15,6 +16,7 @@
 #ifndef LOBE_RENDER_MATERIAL_H
 #define LOBE_RENDER_MATERIAL_H
 
+#include "clearcoat.h"
 #include "coat.h"
 #include "glass.h"
 #include "lobe/fresnel.h"
@@ -29,8 +31,9 @@ typedef struct surface {
     float metallic;
     float ior;
     coat coat;
+    coat_tint tint;
     float base_share_i;     /* (1 - metallic) (1 - E(i))/(pi (1 - E_avg)); 0: no base */
-    lobe_albedo_f32 albedo; /* of the metal, with F = 1 */
+    lobe_albedo_f32 albedo; /* with F = 1; of the metal's later scatterings and of a tinted coat */
     vec3 rest;              /* colour of the metal's second lobe: its f is rest * (1 - E(o)) */
     vec3 factor;            /* on the metal's first; 0 where it walks */
     float specular;         /* probability of drawing from the GGX */
@@ -40,6 +43,7 @@ typedef struct surface {
     lobe_ndf ndf;
     lobe_masking masking;
     const glass *glass; /* NULL: none; its share is also the probability of drawing from it */
+    const clearcoat *clearcoat; /* NULL: none */
 } surface;
 
 typedef struct surface_draw {
@@ -54,6 +58,7 @@ typedef struct surface_options {
     lobe_reflection_options ggx;
     const coat_table *coat;
     lobe_multiscatter multiscatter;
+    coat_tint tint;
 } surface_options;
 
 /* `to_viewer`: unit, world, on the front of `geometric`. `random`: of the walks. */
@@ -65,6 +70,11 @@ surface lobe_surface_at(const surface_options *options, frame shading, vec3 geom
  * which few surfaces need and all would pay for. */
 void lobe_surface_add_glass(surface *s, glass *room, const surface_options *options,
                             glass_material material, vec3 to_viewer, int is_back);
+
+/* Puts a clear coat above all of it, kept in `room`. `table` is that of COAT_IOR. */
+void lobe_surface_add_clearcoat(surface *s, clearcoat *room, const surface_options *options,
+                                const coat_table *table, frame shading, vec3 to_viewer, float share,
+                                float roughness);
 
 /* `side` is read by glass only: reflected or transmitted. */
 surface_draw lobe_surface_draw(const surface *s, float choice, float u1, float u2, float side);

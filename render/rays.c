@@ -21,8 +21,9 @@ lobe_render_result lobe_rays_create(const lobe_scene *scene, lobe_rays **rays) {
         return lobe_fail_memory(scene->name);
     }
     r->coats = coats;
-    r->integrator = (integrator){
-        scene, {o.reflection, NULL, o.multiscatter}, coats, o.heuristic, o.depth, o.roulette_depth};
+    r->integrator = (integrator){scene,   {.ggx = o.reflection, .multiscatter = o.multiscatter},
+                                 coats,   o.heuristic,
+                                 o.depth, o.roulette_depth};
     *rays = r;
     return LOBE_RENDER_OK;
 }

@@ -265,8 +265,8 @@ const coat_table **lobe_find_coats(const lobe_scene *s, const lobe_reflection_op
     enum { INDICES_MAX = 64 };
     const coat_table *known[INDICES_MAX], **coats = malloc((s->material_count + 1) * sizeof *coats);
     int count = 0;
-    for (uint32_t i = 0; coats && i < s->material_count; i++) {
-        const float ior = s->materials[i].ior;
+    for (uint32_t i = 0; coats && i <= s->material_count; i++) {
+        const float ior = i < s->material_count ? s->materials[i].ior : COAT_IOR;
         int nearest = 0;
         for (int k = 1; k < count; k++)
             if (fabsf(known[k]->ior - ior) < fabsf(known[nearest]->ior - ior)) nearest = k;
@@ -288,9 +288,10 @@ static lobe_render_result render_with(const coat_table *const *coats, const lobe
                                       lobe_render_statistics *statistics) {
     job j = {.scene = scene, .options = options, .start = now(CLOCK_MONOTONIC)};
     double cpu = now(CLOCK_PROCESS_CPUTIME_ID);
-    j.integrator = (integrator){scene,          {options->reflection, NULL, options->multiscatter},
-                                coats,          options->heuristic,
-                                options->depth, options->roulette_depth};
+    j.integrator = (integrator){
+        scene,          {.ggx = options->reflection, .multiscatter = options->multiscatter},
+        coats,          options->heuristic,
+        options->depth, options->roulette_depth};
     lobe_render_result result = aim(&j);
     if (result != LOBE_RENDER_OK) return result;
     make_filter(j.filter);

@@ -88,6 +88,9 @@ material lobe_default_material(void) {
                       .roughness = 0.5f,
                       .stretch_x = 1.0f,
                       .alpha = 1.0f,
+                      .clearcoat_normal_scale = 1.0f,
+                      .specular = 1.0f,
+                      .specular_color = {1.0f, 1.0f, 1.0f},
                       .ior = COAT_IOR,
                       .normal_scale = 1.0f,
                       .base_map = lobe_texture_map(NO_TEXTURE),
@@ -95,7 +98,12 @@ material lobe_default_material(void) {
                       .surface_map = lobe_texture_map(NO_TEXTURE),
                       .emission_map = lobe_texture_map(NO_TEXTURE),
                       .stretch_map = lobe_texture_map(NO_TEXTURE),
-                      .transmission_map = lobe_texture_map(NO_TEXTURE)};
+                      .transmission_map = lobe_texture_map(NO_TEXTURE),
+                      .specular_map = lobe_texture_map(NO_TEXTURE),
+                      .specular_color_map = lobe_texture_map(NO_TEXTURE),
+                      .clearcoat_map = lobe_texture_map(NO_TEXTURE),
+                      .clearcoat_roughness_map = lobe_texture_map(NO_TEXTURE),
+                      .clearcoat_normal_map = lobe_texture_map(NO_TEXTURE)};
 }
 
 material lobe_fallback_material(const lobe_scene_options *o) {

@@ -24,11 +24,16 @@ typedef struct material {
     float alpha, alpha_cutoff;
     alpha_mode alpha_mode;
     int is_unlit; /* shows its base colour, reflects nothing */
+    float clearcoat, clearcoat_roughness, clearcoat_normal_scale; /* KHR_materials_clearcoat */
+    float specular; /* KHR_materials_specular: how much of its reflection a dielectric keeps, */
+    vec3 specular_color; /* and what colour, from 0 on, that has straight ahead */
     float transmission, ior;
     float thickness; /* 0: a thin wall; else a solid, whatever the number */
     vec3 absorption; /* of the inside, per unit of length */
     float normal_scale;
-    texture_map base_map, normal_map, surface_map, emission_map, stretch_map, transmission_map;
+    texture_map base_map, normal_map, surface_map, emission_map, stretch_map, transmission_map,
+        specular_map, specular_color_map, clearcoat_map, clearcoat_roughness_map,
+        clearcoat_normal_map;
 } material;
 
 typedef struct vertex {

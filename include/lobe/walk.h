@@ -44,10 +44,17 @@ LOBE_API int lobe_walk_eval(lobe_microsurface s, const lobe_reflectance *f, int 
 
 /* A rough dielectric: a facet reflects with the chance of Fresnel's factor, else the walk goes on on the other
  * side of the surface. `ior`: inside over outside, 1e-3 to 1e3. wi and wo above: outside, below: inside.
- * Every walk carries all of the light; radiance is scaled as in lobe/dielectric.h, whose values with the
- * height-correlated G2 are those of the walks of one bounce. */
+ * Every walk carries all of the light. Those of one bounce are lobe/dielectric.h for importance, with the
+ * height-correlated G2. */
 LOBE_API lobe_walk lobe_walk_dielectric_sample(lobe_microsurface s, double ior, lobe_vec3_f64 wi,
                                                uint64_t seed, uint64_t index, int most);
+
+/* An unbiased estimate of what these walks scatter to wo, above or below, per steradian, as lobe_walk_eval has
+ * it of a conductor: over the sphere it adds up to 1. Equal indices let light pass straight: 0. Radiance that
+ * crosses the surface is multiplied by the square of the index of the side of wi over that of the other. */
+LOBE_API int lobe_walk_dielectric_eval(lobe_microsurface s, double ior, lobe_vec3_f64 wi,
+                                       lobe_vec3_f64 wo, uint64_t seed, uint64_t index, int most,
+                                       double *value);
 
 LOBE_END_C
 

@@ -7,7 +7,7 @@ from program import ProgramTest, main, table
 GLASS = ["--bsdf", "dielectric", "--fresnel", "dielectric:1.5"]
 OUTSIDE = [*GLASS, "--alpha", "0.3,0.6", "--wi", "0.6,0,0.8"]
 INSIDE = [*GLASS, "--alpha", "0.3,0.6", "--wi", "0.4,0.1,-0.9"]
-COLUMNS = "mu,r,t,energy,furnace"
+COLUMNS = "mu,r,t,energy,furnace,all_r,all_t"
 
 
 def fresnel(cosine, eta):
@@ -124,6 +124,27 @@ class DielectricTest(ProgramTest):
             self.assertAlmostEqual(row["r"] + row["t"], row["energy"], delta=1e-10)
             self.assertEqual(row["energy"], row["furnace"])
 
+    def test_walks(self):
+        """All scatterings: no light is lost, and both sides get more than of one scattering. The shares of
+        the walks repeat, and from outside compensation is near them."""
+        call = ["albedo", *GLASS, "--alpha", "0.8", "--mu", "0.9,0.4,-0.4,-0.9", "--transport",
+                "importance"]
+        walk = [*call, "--multiscatter", "walk", "--walks", "40000", "--seed", "5"]
+        rows = table(self.done(*walk))
+        self.assertEqual(rows, table(self.done(*walk)))
+        for row, made_up in zip(rows, table(self.done(*call, "--multiscatter", "turquin")),
+                                strict=True):
+            error = 5 * math.sqrt(0.25 / 40000)
+            self.assertAlmostEqual(row["furnace"], 1, delta=1e-12)
+            self.assertAlmostEqual(row["all_r"] + row["all_t"], 1, delta=1e-12)
+            self.assertGreater(row["all_r"], row["r"] - error)
+            self.assertGreater(row["all_t"], row["t"] - error)
+            if row["mu"] > 0:
+                self.assertAlmostEqual(row["all_r"], made_up["all_r"], delta=0.02 + error)
+        scaled, = table(self.done(*walk[:7], "--mu", "0.4", "--multiscatter", "walk", "--walks",
+                                  "40000", "--seed", "5"))
+        self.assertAlmostEqual(scaled["all_t"] * 2.25, rows[1]["all_t"], delta=1e-9)
+
     def test_columns_and_json(self):
         call = ["albedo", *GLASS, "--alpha", "0.2", "--mu", "0.5,-0.5"]
         text = self.done(*call)
@@ -153,6 +174,9 @@ class DielectricTest(ProgramTest):
         for method in ("table", "fit", "walk"):
             self.rejected(*albedo, *GLASS, "--method", method, where="--method")
         self.rejected(*albedo, *GLASS, "--multiscatter", "kulla-conty", where="--multiscatter")
+        self.rejected(*albedo, *GLASS, "--multiscatter", "walk", "--g2", "separable",
+                      where="--multiscatter")
+        self.rejected(*albedo, *GLASS, "--walks", "0", where="--walks")
         self.rejected(*albedo, "--transport", "radiance", where="--transport")
         self.rejected(*albedo, "--mu", "-0.5", where="--mu")
         self.rejected("albedo", *GLASS, "--alpha", "1e300", where="--alpha")

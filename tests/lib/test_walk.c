@@ -1,5 +1,6 @@
 /* tests/lib/test_walk.c: random walks lose no light, begin as the model of one scattering does, are
- * reciprocal, and are what their estimated values add up to. Fixed seeds; 5 standard errors. */
+ * reciprocal, and are what their estimated values add up to, on conductors and dielectrics. Fixed seeds; 5
+ * standard errors. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -210,6 +211,105 @@ static void dielectrics_keep_their_balance(void **state) {
     assert_true(fabs(crossed[0] - index * index * crossed[1]) < room);
 }
 
+static void add(double sum[], double squares[], int m, double difference) {
+    sum[m] += difference;
+    squares[m] += difference * difference;
+}
+
+static void assert_none(const double sum[], const double squares[], int count, const char *what,
+                        lobe_microsurface s, double cosine) {
+    for (int m = 0; m < count; ++m)
+        if (!(fabs(sum[m]) < 5 * sqrt(squares[m]) + 1e-9))
+            fail_msg("%s, ndf %d, alpha %g, cosine %g, moment %d: off by %g of %g", what, s.ndf,
+                     s.alpha_x, cosine, m, sum[m], sqrt(squares[m]));
+}
+
+/* Directions of the whole sphere, by the cosine on a side of even chance. */
+static lobe_vec3_f64 random_direction(uint64_t seed, uint64_t k, double *density) {
+    lobe_random4 r = lobe_random(seed, 0, k);
+    double u = 2 * lobe_random_unit_f64(r.word[0], r.word[1]);
+    double mu = sqrt(fmax(u < 1 ? u : u - 1, 1e-12));
+    lobe_vec3_f64 w = toward(mu, 6.283185307179586 * lobe_random_unit_f64(r.word[2], r.word[3]));
+    *density = mu / (2 * 3.14159265358979);
+    if (u < 1) w.z = -w.z;
+    return w;
+}
+
+/* Integrated over both sides, the estimated values of a dielectric are its walks: what is reflected, what is
+ * transmitted, where they go; and all of it together is all of the light. */
+static void dielectric_values_are_those_of_walks(void **state) {
+    (void)state;
+    const double indices[] = {1.5, 0.7};
+    for (int ndf = 0; ndf < LOBE_NDF_COUNT; ++ndf)
+        for (int a = 1; a < 3; ++a)
+            for (int c = 0; c < 6; ++c) {
+                lobe_microsurface s = surface_of(ndf, alphas[a][0], alphas[a][1]);
+                lobe_vec3_f64 wi = toward(cosines[c % 3], 0.4);
+                if (c > 2) wi.z = -wi.z;
+                double index = indices[(c + ndf) % 2], sum[5] = {0}, squares[5] = {0};
+                for (uint64_t k = 0; k < WALKS; ++k) {
+                    double density, value;
+                    lobe_walk w = lobe_walk_dielectric_sample(s, index, wi, 21, k, MOST);
+                    lobe_vec3_f64 wo = random_direction(22, k, &density);
+                    assert_true(lobe_walk_dielectric_eval(s, index, wi, wo, 23, k, MOST, &value));
+                    value /= density;
+                    double here = wo.z * wi.z > 0, there = w.wo.z * wi.z > 0;
+                    add(sum, squares, 0, value * here - there);
+                    add(sum, squares, 1, value * (1 - here) - (1 - there));
+                    add(sum, squares, 2, value - 1);
+                    add(sum, squares, 3, value * wo.x - w.wo.x);
+                    add(sum, squares, 4, value * wo.y * wo.z - w.wo.y * w.wo.z);
+                }
+                assert_none(sum, squares, 5, "values of a dielectric", s, wi.z);
+            }
+}
+
+/* What is known exactly of a value is that of lobe/dielectric.h. */
+static void first_value_is_exact(void **state) {
+    (void)state;
+    lobe_dielectric_options options = lobe_dielectric_default_options();
+    options.transport = LOBE_TRANSPORT_IMPORTANCE;
+    int crossed = 0;
+    for (uint64_t k = 0; k < 4000; ++k) {
+        double density, value, index = k % 3 ? 1.5 : 0.6;
+        lobe_microsurface s = surface(alphas[k % 3][0], alphas[k % 3][1]);
+        lobe_vec3_f64 wi = random_direction(24, k, &density),
+                      wo = random_direction(25, k, &density);
+        lobe_dielectric_f64 model =
+            lobe_dielectric_prepare_f64(options, wi, s.alpha_x, s.alpha_y, index);
+        lobe_dielectric_eval_f64 e = lobe_dielectric_eval_wo_f64(&model, wo);
+        assert_true(lobe_walk_dielectric_eval(s, index, wi, wo, 26, k, 1, &value));
+        if (!(fabs(value - e.f_cos) <= 1e-9 * e.f_cos + 1e-14))
+            fail_msg("%d: %g is not %g", (int)k, value, e.f_cos);
+        crossed += e.f_cos > 0 && e.transmitted;
+    }
+    assert_true(crossed > 500);
+}
+
+/* f(i,o)/n_o^2 = f(o,i)/n_i^2, one walk from each end: on one side and through the surface. Not near the horizon,
+ * where few walks carry most of a value. */
+static void dielectric_values_are_reciprocal(void **state) {
+    (void)state;
+    const double index = 1.5, heights[] = {0.9, 0.5, -0.5, -0.9};
+    for (int ndf = 0; ndf < LOBE_NDF_COUNT; ++ndf)
+        for (int pair = 0; pair < 12; ++pair) {
+            lobe_microsurface s = surface_of(ndf, 1, 0.6);
+            double z_i = heights[pair / 3], z_o = heights[(pair / 3 + pair % 3 + 1) % 4];
+            lobe_vec3_f64 i = toward(fabs(z_i), 0.3), o = toward(fabs(z_o), 1.0 + pair);
+            i.z = z_i;
+            o.z = z_o;
+            double n2_i = z_i > 0 ? 1 : index * index, n2_o = z_o > 0 ? 1 : index * index;
+            double sum = 0, squares = 0;
+            for (uint64_t k = 0; k < WALKS / 2; ++k) {
+                double there, back;
+                lobe_walk_dielectric_eval(s, index, i, o, 29, k, MOST, &there);
+                lobe_walk_dielectric_eval(s, index, o, i, 30, k, MOST, &back);
+                add(&sum, &squares, 0, there / (fabs(z_o) * n2_o) - back / (fabs(z_i) * n2_i));
+            }
+            assert_none(&sum, &squares, 1, "reciprocity", s, z_i);
+        }
+}
+
 static void walks_are_cut_and_refused(void **state) {
     (void)state;
     lobe_microsurface s = surface(1, 1);
@@ -234,6 +334,13 @@ static void walks_are_cut_and_refused(void **state) {
     assert_false(lobe_walk_eval(s, laws, 1, down, up, 1, 0, 10, &weight));
     assert_int_equal(lobe_walk_dielectric_sample(s, 0, up, 1, 0, 10).bounces, 0);
     assert_int_equal(lobe_walk_dielectric_sample(s, NAN, up, 1, 0, 10).bounces, 0);
+    const lobe_vec3_f64 edge = {1, 0, 0};
+    weight = 7;
+    assert_false(lobe_walk_dielectric_eval(s, NAN, up, down, 1, 0, 10, &weight));
+    assert_false(lobe_walk_dielectric_eval(s, 1.5, up, edge, 1, 0, 10, &weight));
+    assert_false(lobe_walk_dielectric_eval(s, 1.5, edge, up, 1, 0, 10, &weight));
+    assert_true(weight == 0);
+    assert_true(lobe_walk_dielectric_eval(s, 1, up, down, 1, 0, 10, &weight) && weight == 0);
     s.masking = LOBE_MASKING_VCAVITY;
     assert_int_equal(lobe_walk_sample(s, laws, 1, up, 1, 0, 10, &weight).bounces, 0);
     assert_int_equal(
@@ -247,6 +354,9 @@ int main(void) {
                                        cmocka_unit_test(values_are_those_of_walks),
                                        cmocka_unit_test(dielectrics_begin_as_one_bounce),
                                        cmocka_unit_test(dielectrics_keep_their_balance),
+                                       cmocka_unit_test(dielectric_values_are_those_of_walks),
+                                       cmocka_unit_test(first_value_is_exact),
+                                       cmocka_unit_test(dielectric_values_are_reciprocal),
                                        cmocka_unit_test(walks_are_cut_and_refused)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -63,16 +63,20 @@ static lobe_multiscatter compensation = LOBE_MULTISCATTER_NONE;
  * scatterings; the mean of independent runs. */
 static estimate radiance(material m, vec3 direction, int depth, int samples) {
     m.base_map = m.normal_map = m.surface_map = m.emission_map = lobe_texture_map(NO_TEXTURE);
+    m.specular_map = m.specular_color_map = lobe_texture_map(NO_TEXTURE);
+    m.specular = 1.0f;
+    m.specular_color = v3_all(1.0f);
     m.emission = v3_all(1.0f);
     for (uint32_t i = 0; i < box->material_count; ++i) box->materials[i] = m;
     lobe_reflection_options reflection = lobe_reflection_default_options();
     const coat_table *coat = lobe_coat_table(reflection.model.ndf, reflection.model.masking,
                                              reflection.g2, COAT_IOR, m.anisotropy != 0.0f);
     const coat_table *coats[64];
-    assert_true(box->material_count <= 64);
-    for (uint32_t i = 0; i < box->material_count; ++i) coats[i] = coat;
-    integrator k = {
-        box, {reflection, coat, compensation}, coats, LOBE_HEURISTIC_BALANCE, depth, depth + 1};
+    assert_true(box->material_count < 64);
+    for (uint32_t i = 0; i <= box->material_count; ++i) coats[i] = coat;
+    integrator k = {box,   {.ggx = reflection, .coat = coat, .multiscatter = compensation},
+                    coats, LOBE_HEURISTIC_BALANCE,
+                    depth, depth + 1};
     double sum = 0, squares = 0;
     for (int run = 0; run < RUNS; ++run) {
         double total = 0;

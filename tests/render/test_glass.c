@@ -15,6 +15,10 @@
 #define GLASS(roughness, more)                                                                     \
     "{\"pbrMetallicRoughness\":{\"metallicFactor\":0,\"roughnessFactor\":" roughness "},"          \
     "\"extensions\":{\"KHR_materials_transmission\":{\"transmissionFactor\":1}" more "}}"
+/* the rest is white metal */
+#define HALF_GLASS(roughness, more)                                                                \
+    "{\"pbrMetallicRoughness\":{\"metallicFactor\":0.5,\"roughnessFactor\":" roughness "},"        \
+    "\"extensions\":{\"KHR_materials_transmission\":{\"transmissionFactor\":1}" more "}}"
 #define IOR(n) ",\"KHR_materials_ior\":{\"ior\":" n "}"
 #define SOLID ",\"KHR_materials_volume\":{\"thicknessFactor\":1}"
 
@@ -78,6 +82,8 @@ static void glass_ball_is_invisible(void **state) {
         {"thin, rough", GLASS("0.6", ""), LOBE_MULTISCATTER_TURQUIN, 2e-3},
         {"rough", GLASS("0.5", SOLID), LOBE_MULTISCATTER_TURQUIN, 5e-3},
         {"rough, 1.33", GLASS("0.7", SOLID IOR("1.33")), LOBE_MULTISCATTER_KULLA_CONTY, 5e-3},
+        {"rough, walked", GLASS("0.7", SOLID), LOBE_MULTISCATTER_WALK, 1e-4},
+        {"half of it, walked", HALF_GLASS("0.7", SOLID), LOBE_MULTISCATTER_WALK, 5e-3},
     };
     solid_light(0.5f, 0.5f);
     body.count = 0;
@@ -210,7 +216,7 @@ static vec3 random_direction(uint64_t k, int word) {
 
 /* As the integrator has it: everything turned toward the viewer. */
 static glass glass_toward(glass_material m, vec3 normal, vec3 viewer) {
-    glass_options o = {lobe_reflection_default_options(), 0};
+    glass_options o = {lobe_reflection_default_options(), 0, 0, 0};
     int is_back = v3_dot(viewer, normal) < 0.0f;
     vec3 z = is_back ? v3_neg(normal) : normal;
     return lobe_glass_at(&o, m, frame_of(z, v3(1.0f, 0.0f, 0.0f)), z, viewer, is_back);
@@ -260,8 +266,7 @@ static void draws_have_their_density(void **state) {
 }
 
 /* A lamp before and behind rough plates: met by paths, drawn, or both. */
-static void estimators_agree(void **state) {
-    (void)state;
+static void estimators_agree_on(lobe_multiscatter multiscatter, uint64_t first_seed) {
     body.count = 0;
     solid_plate(&body, 2, 0.5f);
     /* a bright patch of sky beyond, a dim one on this side */
@@ -269,10 +274,21 @@ static void estimators_agree(void **state) {
     lobe_scene *scene = scene_of(GLASS("0.6", SOLID), 6, 0.5);
     lobe_render_options o = small(32, 32, 48);
     o.depth = 4;
+    o.multiscatter = multiscatter;
     const lobe_heuristic others[] = {LOBE_HEURISTIC_POWER, LOBE_HEURISTIC_BSDF_ONLY,
                                      LOBE_HEURISTIC_LIGHT_ONLY};
-    assert_estimators_agree(scene, o, others, 3, 5);
+    assert_estimators_agree(scene, o, others, 3, first_seed);
     lobe_scene_free(scene);
+}
+
+static void estimators_agree(void **state) {
+    (void)state;
+    estimators_agree_on(LOBE_MULTISCATTER_NONE, 5);
+}
+
+static void estimators_agree_on_walks(void **state) {
+    (void)state;
+    estimators_agree_on(LOBE_MULTISCATTER_WALK, 25);
 }
 
 static int remove_files(void **state) {
@@ -294,6 +310,7 @@ int main(void) {
         cmocka_unit_test(values_are_reciprocal),
         cmocka_unit_test(draws_have_their_density),
         cmocka_unit_test(estimators_agree),
+        cmocka_unit_test(estimators_agree_on_walks),
     };
     return cmocka_run_group_tests(tests, NULL, remove_files);
 }
