@@ -104,8 +104,8 @@ static const lobe_app_option resolve_options[] = {
     {0}};
 
 static const lobe_app_option output_options[] = {
-    {"--truth", NULL, NULL, "trace real rays as well, and print the error against them", NULL,
-     AT(truth), NULL},
+    {"--truth", NULL, NULL, "trace real rays as well; the error against them goes to stats.json",
+     NULL, AT(truth), NULL},
     {"--truth-rays", "N", "256", "real rays a pixel", lobe_app_read_count, AT(truth_rays), NULL},
     {"--json", NULL, NULL, "stats.json on standard output too", NULL, AT(json), NULL},
     LOBE_APP_PROGRESS_OPTION(ssr_values, progress),
@@ -120,14 +120,14 @@ static ssr_values default_values(void) {
                         .iterations = (uint64_t)o.max_iterations,
                         .truth_rays = 256,
                         .roughness = -1,
-                        .thickness = 0.01,
-                        .edge_fade = 0.1,
+                        .thickness = (double)o.thickness,
+                        .edge_fade = (double)o.edge_fade,
                         .smoothness_start = 0.9,
                         .smoothness_end = 0.9,
-                        .accumulation = 0.75,
-                        .bias = 0.5,
-                        .speed_rejection = 0.5,
-                        .speed_scale = 0.2,
+                        .accumulation = (double)o.accumulation,
+                        .bias = (double)o.bias,
+                        .speed_rejection = (double)o.speed_rejection,
+                        .speed_scale = (double)o.speed_scale,
                         .mode = (int)o.mode,
                         .method = (int)o.method,
                         .resolve = (int)o.resolve};
