@@ -225,3 +225,13 @@ bool lobe_app_read_name(const lobe_app_option *option, const char *text, void *v
     lobe_app_report(option->name, "give a name", "the value is empty");
     return false;
 }
+
+bool lobe_app_read_size(const lobe_app_option *option, const char *text, void *value) {
+    lobe_app_size *size = value;
+    char extra;
+    if (strspn(text, "0123456789x") == strlen(text) && strlen(text) < 12 &&
+        sscanf(text, "%dx%d%c", &size->width, &size->height, &extra) == 2)
+        return true;
+    lobe_app_report(option->name, "give pixels as 960x540", "'%.40s' is not a size", text);
+    return false;
+}

@@ -58,8 +58,13 @@ bool lobe_app_is_given(const lobe_app_arguments *arguments, const char *name);
 lobe_app_status lobe_app_exclude(const lobe_app_arguments *arguments, const char *name,
                                  const char *other);
 
-/* Readers: int index into `choices`; uint64_t, any value; finite double; const char *, not empty. */
+typedef struct lobe_app_size {
+    int width, height;
+} lobe_app_size;
+
+/* Readers: int index into `choices`; uint64_t, any value; finite double; const char *, not empty;
+ * lobe_app_size. */
 lobe_app_reader lobe_app_read_choice, lobe_app_read_count, lobe_app_read_u64, lobe_app_read_f64,
-    lobe_app_read_name;
+    lobe_app_read_name, lobe_app_read_size;
 
 #endif

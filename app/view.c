@@ -10,16 +10,6 @@
 static const char *const heuristics[] = {"balance", "power", "bsdf-only", "light-only", NULL};
 static const char *const multiscatters[] = {"none", "kulla-conty", "turquin", "walk", NULL};
 
-static bool read_size(const lobe_app_option *option, const char *text, void *value) {
-    lobe_app_size *size = value;
-    char extra;
-    if (strspn(text, "0123456789x") == strlen(text) && strlen(text) < 12 &&
-        sscanf(text, "%dx%d%c", &size->width, &size->height, &extra) == 2)
-        return true;
-    lobe_app_report(option->name, "give pixels as 960x540", "'%.40s' is not a size", text);
-    return false;
-}
-
 static bool read_material(const lobe_app_option *option, const char *text, void *value) {
     if (lobe_app_read_numbers(text, 5, 5, value) == 5) return true;
     lobe_app_report(option->name, "give R,G,B,METALLIC,ROUGHNESS, each in [0, 1]",
@@ -30,7 +20,7 @@ static bool read_material(const lobe_app_option *option, const char *text, void 
 #define AT(member) offsetof(lobe_app_view, member)
 
 const lobe_app_option lobe_app_camera_options[] = {
-    {"--size", "WxH", "960x540", "in pixels", read_size, AT(size), NULL},
+    {"--size", "WxH", "960x540", "in pixels", lobe_app_read_size, AT(size), NULL},
     {"--camera", "NAME", "the first", "a camera of the file", lobe_app_read_name, AT(camera), NULL},
     {"--exposure", "EV", "0", "stops, for the written picture", lobe_app_read_f64, AT(exposure),
      NULL},

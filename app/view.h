@@ -10,10 +10,6 @@
 #include "model.h"
 #include "options.h"
 
-typedef struct lobe_app_size {
-    int width, height;
-} lobe_app_size;
-
 typedef struct lobe_app_view {
     lobe_app_size size;
     const char *environment, *camera;

@@ -477,3 +477,29 @@ film_sample lobe_trace_path(const integrator *k, vec3 origin, vec3 direction, sa
     *rays += p.rays;
     return p.sample;
 }
+
+int lobe_first_surface(const lobe_scene *s, vec3 origin, vec3 direction,
+                       lobe_ray_surface *surface) {
+    ray_hit hit;
+    float near = 0.0f;
+    do {
+        if (!lobe_tracer_nearest(s->tracer, origin, direction, near, INFINITY, &hit)) return 0;
+        near = past(hit.distance);
+    } while (opacity_at(s, &hit) < 0.5f);
+    const hit_point h = hit_point_of(s, &hit, direction);
+    const material *m = h.material;
+    const vec3 packed = sample_map(s, &m->surface_map, &h, v3_all(1.0f));
+    const float metallic = m->metallic * packed.z, step = (m->ior - 1.0f) / (m->ior + 1.0f);
+    const coat_tint tint = tint_at(s, &h);
+    const vec3 coat_f0 = v3_add(tint.one, v3_scale(tint.own, step * step));
+    frame shading = h.shading;
+    float roughness = m->roughness * packed.y, anisotropy = m->anisotropy;
+    if (m->stretch > 0.0f) stretch(s, &h, &shading, &roughness, &anisotropy);
+    *surface = (lobe_ray_surface){.distance = h.distance,
+                                  .position = h.position,
+                                  .normal = h.shading.z,
+                                  .geometric = h.geometric,
+                                  .f0 = v3_lerp(coat_f0, base_color_at(s, &h), metallic),
+                                  .roughness = roughness};
+    return 1;
+}

@@ -3,6 +3,7 @@
 #define LOBE_RENDER_INTEGRATOR_H
 
 #include "film.h"
+#include "lobe/rays.h"
 #include "sampler.h"
 #include "scene.h"
 
@@ -17,5 +18,11 @@ typedef struct integrator {
 /* `rays` is raised by the rays traced. */
 film_sample lobe_trace_path(const integrator *k, vec3 origin, vec3 direction, sampler *points,
                             uint64_t *rays);
+
+/* The first surface of a ray, as lobe_rays_meet tells it. */
+int lobe_first_surface(const lobe_scene *s, vec3 origin, vec3 direction, lobe_ray_surface *surface);
+
+/* The coat's table of every material and of COAT_IOR, by malloc; NULL: no memory. */
+const coat_table **lobe_find_coats(const lobe_scene *s, const lobe_reflection_options *o);
 
 #endif

@@ -291,8 +291,8 @@ static lobe_render_result compare_with_first_rank(const char *identity) {
                      d.other);
 }
 
-/* The coat's table of every material and of COAT_IOR, by malloc. A file with very many indices gets the nearest ones. */
-static const coat_table **find_coats(const lobe_scene *s, const lobe_reflection_options *o) {
+/* A file with very many indices gets the nearest ones. */
+const coat_table **lobe_find_coats(const lobe_scene *s, const lobe_reflection_options *o) {
     enum { INDICES_MAX = 64 };
     const coat_table *known[INDICES_MAX], **coats = malloc((s->material_count + 1) * sizeof *coats);
     int count = 0;
@@ -368,7 +368,7 @@ lobe_render_result lobe_render(const lobe_scene *scene, lobe_render_options opti
     /* the choice by surface is known for Smith-GGX; else the best method is one for all */
     if (model.ndf != LOBE_NDF_GGX || model.masking != LOBE_MASKING_SMITH)
         options.reflection.model.method = method_or_best(model);
-    const coat_table **coats = find_coats(scene, &options.reflection);
+    const coat_table **coats = lobe_find_coats(scene, &options.reflection);
     result = lobe_ranks_agree(coats ? LOBE_RENDER_OK : lobe_fail_memory(scene->name));
     if (result == LOBE_RENDER_OK) result = render_with(coats, scene, &options, film, statistics);
     free(coats);

@@ -1,10 +1,11 @@
 #!/bin/bash
-# check_shaders.sh [ROOT]: every kernel file, unedited, is GLSL 4.50, GLSL ES 3.10 and HLSL. Each is
-# compiled to SPIR-V, and what comes out must satisfy spirv-val.
+# check_shaders.sh [ROOT]: every kernel file and every pass of ssr/passes, unedited, is GLSL 4.50, GLSL ES
+# 3.10 and HLSL. Each is compiled to SPIR-V, and what comes out must satisfy spirv-val.
 set -eu
 
 here=$(cd "$(dirname "$0")" && pwd)
-kernel=$(cd "${1:-$here/..}/kernel" && pwd)
+root=$(cd "${1:-$here/..}" && pwd)
+kernel=$root/kernel
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
@@ -31,22 +32,24 @@ END
 # kernel here: --keep-uncalled makes glslang generate their code all the same, and -Od keeps its
 # optimiser, which runs on HLSL by default, from removing it again.
 compile() {
-    glslangValidator --quiet --target-env vulkan1.1 --keep-uncalled -Od -I"$kernel" -S comp \
+    glslangValidator --quiet --target-env vulkan1.1 --keep-uncalled -Od -I"$kernel" -I"$root" -S comp \
         -e main "${@:2}" -o "$scratch/spirv" "$scratch/$1" &&
         spirv-val --target-env vulkan1.1 "$scratch/spirv"
 }
 
+shopt -s nullglob
+texts=("$kernel"/*.h "$root"/ssr/passes/[!b]*.h) # bind_c.h is the binding to C
+
 # Both short-circuit: a branch, which no loop over rows can have.
-if grep -nE '&&|\|\|' "$kernel"/*.h; then
+if grep -nE '&&|\|\|' "${texts[@]}"; then
     echo "kernel: use k_and and k_or"
     exit 1
 fi
 
 count=0
 failed=0
-for file in "$kernel"/*.h; do
-    [ -f "$file" ] || continue
-    name=$(basename "$file")
+for file in "${texts[@]}"; do
+    name=${file#"$root"/}
     glsl 450 "$name" >"$scratch/glsl450.comp"
     glsl "310 es" "$name" >"$scratch/essl310.comp"
     hlsl "$name" >"$scratch/kernel.hlsl"
@@ -54,7 +57,7 @@ for file in "$kernel"/*.h; do
         count=$((count + 1))
         # shellcheck disable=SC2086  # a source and its option
         if ! compile $source; then
-            echo "kernel/$name: fails as ${source%% *}"
+            echo "$name: fails as ${source%% *}"
             failed=$((failed + 1))
         fi
     done

@@ -1,0 +1,429 @@
+/* app/ssr.c: `lobe ssr`: screen-space reflections along a path of the camera. */
+#include <limits.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include <lobe/ssr_frames.h>
+#include <lobe/version.h>
+
+#include "commands.h"
+#include "interrupt.h"
+#include "json.h"
+#include "model.h"
+#include "options.h"
+#include "output.h"
+#include "progress.h"
+#include "ssr_write.h"
+
+typedef enum backend { BACKEND_AUTO, BACKEND_CPU, BACKEND_GL } backend;
+
+typedef struct ssr_values {
+    const char *out, *camera, *environment;
+    lobe_app_size size;
+    uint64_t frames, spp, seed, threads, iterations, truth_rays;
+    double roughness, thickness, edge_fade, smoothness_start, smoothness_end, accumulation, bias,
+        speed_rejection, speed_scale;
+    int path, mode, method, resolve, backend, progress;
+    bool truth, no_sky, linear, as_hdrp, json;
+} ssr_values;
+
+static const char *const paths[] = {"orbit", "dolly", "shake", "still", NULL};
+static const char *const modes[] = {"mirror", "ndf", "vndf", NULL};
+static const char *const resolves[] = {"approx", "neighbourhood", "neighbourhood-ratio", NULL};
+static const char *const backends[] = {"auto", "cpu", "gl", NULL};
+
+#define AT(member) offsetof(ssr_values, member)
+
+static bool read_share(const lobe_app_option *option, const char *text, void *value) {
+    if (!lobe_app_read_f64(option, text, value)) return false;
+    if (*(double *)value >= 0 && *(double *)value <= 1) return true;
+    lobe_app_report(option->name, "use 0 to 1", "'%.40s' is out of range", text);
+    return false;
+}
+
+static const lobe_app_option frame_options[] = {
+    {"-o", "DIR", NULL, "folder for frames, truth and stats.json", lobe_app_read_name, AT(out),
+     NULL},
+    {"--size", "WxH", "640x360", "in pixels", lobe_app_read_size, AT(size), NULL},
+    {"--frames", "N", "8", "how many", lobe_app_read_count, AT(frames), NULL},
+    {"--camera-path", "NAME", "orbit",
+     "a frame: 1 degree about the target, 1 % toward it, half a percent by chance, nothing",
+     lobe_app_read_choice, AT(path), paths},
+    {"--camera", "NAME", "the first", "a camera of the file", lobe_app_read_name, AT(camera), NULL},
+    {"--env", "FILE", "the scene's own light, or a sky", "panorama to light with",
+     lobe_app_read_name, AT(environment), NULL},
+    {"--spp", "N", "16", "camera paths a pixel of the colour that is reflected",
+     lobe_app_read_count, AT(spp), NULL},
+    {"--roughness", "R", "each its own", "perceptual roughness of every surface, for comparisons",
+     read_share, AT(roughness), NULL},
+    {"--seed", "S", "0", "of the random numbers, any whole number", lobe_app_read_u64, AT(seed),
+     NULL},
+    {"--threads", "N", "one a processor", "the pictures do not depend on it", lobe_app_read_count,
+     AT(threads), NULL},
+    {0}};
+
+static const lobe_app_option trace_options[] = {
+    {"--backend", "NAME", "auto", "what runs the passes; auto: the processor", lobe_app_read_choice,
+     AT(backend), backends},
+    {"--mode", "NAME", "vndf",
+     "directions: mirrored, by all normals, or by visible normals with --method",
+     lobe_app_read_choice, AT(mode), modes},
+    {"--method", "NAME", "bounded", "how to sample visible normals of GGX", lobe_app_read_choice,
+     AT(method), lobe_app_methods},
+    {"--bias", "B", "0.5; 0 for slope methods",
+     "shortens the lobe: its radial random number times 1 - B, in [0, 1)", read_share, AT(bias),
+     NULL},
+    {"--max-iterations", "N", "64", "cells of the depth pyramid that a ray may step through",
+     lobe_app_read_count, AT(iterations), NULL},
+    {"--thickness", "T", "0.01", "of what is seen, a share of its distance", read_share,
+     AT(thickness), NULL},
+    {"--no-sky", NULL, NULL, "a ray that leaves where nothing stands is a miss", NULL, AT(no_sky),
+     NULL},
+    {"--linear", NULL, NULL, "march texel by texel, for comparison", NULL, AT(linear), NULL},
+    {"--as-hdrp", NULL, NULL, "for comparison: weights of world-space vectors, nearest depths only",
+     NULL, AT(as_hdrp), NULL},
+    {0}};
+
+static const lobe_app_option resolve_options[] = {
+    {"--resolve", "NAME", "neighbourhood-ratio",
+     "colour from the pyramid, or from 3 x 3 rays by weight or by value over density",
+     lobe_app_read_choice, AT(resolve), resolves},
+    {"--edge-fade", "F", "0.1", "share of half the screen on which reflections fade", read_share,
+     AT(edge_fade), NULL},
+    {"--smoothness-fade-start", "S", "0.9", "smoothness (1 - roughness) at which they fade",
+     read_share, AT(smoothness_start), NULL},
+    {"--min-smoothness", "S", "0.9", "smoothness below which there are none", read_share,
+     AT(smoothness_end), NULL},
+    {"--accumulation", "A", "0.75", "share of the history", read_share, AT(accumulation), NULL},
+    {"--speed-rejection", "R", "0.5", "of the history, by pixels of motion times the scale",
+     read_share, AT(speed_rejection), NULL},
+    {"--speed-scale", "S", "0.2", "scale of --speed-rejection", read_share, AT(speed_scale), NULL},
+    {0}};
+
+static const lobe_app_option output_options[] = {
+    {"--truth", NULL, NULL, "trace real rays as well; the error against them goes to stats.json",
+     NULL, AT(truth), NULL},
+    {"--truth-rays", "N", "256", "real rays a pixel", lobe_app_read_count, AT(truth_rays), NULL},
+    {"--json", NULL, NULL, "stats.json on standard output too", NULL, AT(json), NULL},
+    LOBE_APP_PROGRESS_OPTION(ssr_values, progress),
+    {0}};
+
+static ssr_values default_values(void) {
+    const lobe_ssr_options o = lobe_ssr_default_options();
+    const lobe_ssr_scene_options s = lobe_ssr_scene_default_options();
+    return (ssr_values){.size = {s.width, s.height},
+                        .frames = (uint64_t)s.count,
+                        .spp = s.samples,
+                        .iterations = (uint64_t)o.max_iterations,
+                        .truth_rays = 256,
+                        .roughness = -1,
+                        .thickness = (double)o.thickness,
+                        .edge_fade = (double)o.edge_fade,
+                        .smoothness_start = 0.9,
+                        .smoothness_end = 0.9,
+                        .accumulation = (double)o.accumulation,
+                        .bias = (double)o.bias,
+                        .speed_rejection = (double)o.speed_rejection,
+                        .speed_scale = (double)o.speed_scale,
+                        .mode = (int)o.mode,
+                        .method = (int)o.method,
+                        .resolve = (int)o.resolve};
+}
+
+static lobe_ssr_options pipeline_options(const ssr_values *v) {
+    lobe_ssr_options o = lobe_ssr_default_options();
+    o.mode = (lobe_ssr_mode)v->mode;
+    o.method = (lobe_method)v->method;
+    o.resolve = (lobe_ssr_resolve)v->resolve;
+    o.max_iterations = (int)v->iterations;
+    o.thickness = (float)v->thickness;
+    o.edge_fade = (float)v->edge_fade;
+    o.fade_start = (float)(1 - v->smoothness_start);
+    o.fade_end = (float)(1 - v->smoothness_end);
+    o.accumulation = (float)v->accumulation;
+    o.bias = (float)v->bias;
+    o.speed_rejection = (float)v->speed_rejection;
+    o.speed_scale = (float)v->speed_scale;
+    o.reflect_sky = !v->no_sky;
+    o.linear_march = v->linear;
+    o.as_hdrp = v->as_hdrp;
+    o.seed = v->seed;
+    o.threads = (int)v->threads;
+    return o;
+}
+
+/* ---- A run ----------------------------------------------------------------------------------- */
+
+typedef struct ssr_run {
+    const ssr_values *values;
+    const char *source;
+    lobe_scene *scene;
+    lobe_ssr_frames *frames;
+    lobe_ssr *ssr;
+    lobe_app_truth truth; /* rgb NULL: not asked for */
+    json_t *rows;
+    lobe_app_progress progress;
+    int frame, parts, part; /* what the progress is of */
+} ssr_run;
+
+static lobe_app_status status_of(lobe_ssr_result result) {
+    if (result == LOBE_SSR_OK) return LOBE_APP_DONE;
+    if (result == LOBE_SSR_INTERRUPTED) return LOBE_APP_INTERRUPTED;
+    lobe_app_report_line(lobe_ssr_error_message());
+    return result == LOBE_SSR_BAD_INPUT ? LOBE_APP_BAD_INPUT : LOBE_APP_FAILED;
+}
+
+static void show_progress(void *user, double fraction) {
+    ssr_run *run = user;
+    const double frames = run->frame + (run->part + fraction) / run->parts;
+    lobe_app_show_progress(&run->progress, frames / (double)run->values->frames, frames);
+}
+
+static lobe_ssr_scene_options scene_options(ssr_run *run) {
+    const ssr_values *v = run->values;
+    lobe_ssr_scene_options o = lobe_ssr_scene_default_options();
+    o.width = v->size.width;
+    o.height = v->size.height;
+    o.count = (int)v->frames;
+    o.path = (lobe_ssr_path)v->path;
+    o.samples = (uint32_t)v->spp;
+    o.roughness = (float)v->roughness;
+    o.camera = v->camera;
+    o.seed = v->seed;
+    o.threads = (int)v->threads;
+    o.progress = show_progress;
+    o.progress_user = run;
+    o.cancel = &lobe_app_interrupted;
+    return o;
+}
+
+/* What a kept truth depends on. */
+static void write_key(const ssr_run *run, char *key, size_t size) {
+    const ssr_values *v = run->values;
+    struct stat file = {0};
+    if (stat(run->source, &file) != 0) file = (struct stat){0};
+    snprintf(key, size,
+             "lobe %s %.200s %lld %lld env %.200s camera %.60s path %s size %dx%d frame %d of any, "
+             "spp %llu "
+             "roughness %.9g seed %llu mode %s rays %llu",
+             LOBE_VERSION_STRING, run->source, (long long)file.st_size, (long long)file.st_mtime,
+             v->environment ? v->environment : "-", v->camera ? v->camera : "-", paths[v->path],
+             v->size.width, v->size.height, run->frame, (unsigned long long)v->spp, v->roughness,
+             (unsigned long long)v->seed, modes[v->mode == LOBE_SSR_MIRROR ? 0 : 2],
+             (unsigned long long)v->truth_rays);
+}
+
+static lobe_ssr_result find_truth(ssr_run *run) {
+    const ssr_values *v = run->values;
+    char key[1024];
+    write_key(run, key, sizeof key);
+    if (lobe_app_read_truth(v->out, run->frame, key, &run->truth)) return LOBE_SSR_OK;
+    run->part = 1;
+    lobe_ssr_result result = lobe_ssr_truth(run->frames, (lobe_ssr_mode)v->mode, (int)v->truth_rays,
+                                            run->truth.rgb, run->truth.on_screen);
+    if (result == LOBE_SSR_OK) result = lobe_app_write_truth(v->out, run->frame, key, &run->truth);
+    return result;
+}
+
+static json_t *pass_times(const lobe_ssr_statistics *st) {
+    json_t *times = json_object();
+    for (int pass = 0; times && pass < LOBE_SSR_PASS_COUNT; pass++)
+        json_object_set_new(times, lobe_ssr_pass_name((lobe_ssr_pass)pass),
+                            lobe_app_json_number(st->milliseconds[pass]));
+    return times;
+}
+
+static json_t *judgement(const ssr_run *run) {
+    const lobe_ssr_judgement j =
+        lobe_ssr_judge(run->frames, run->ssr, run->truth.rgb, run->truth.on_screen);
+    return json_pack("{so so so so}", "relmse",
+                     j.pixels ? lobe_app_json_number(j.relmse) : json_null(), "relmse_onscreen",
+                     j.pixels_onscreen ? lobe_app_json_number(j.relmse_onscreen) : json_null(),
+                     "false_hits", lobe_app_json_number(j.false_hits), "false_misses",
+                     lobe_app_json_number(j.false_misses));
+}
+
+static int append_row(ssr_run *run, const lobe_ssr_statistics *st) {
+    const double rays = fmax(1.0, (double)st->rays);
+    json_t *row = json_pack("{si sI sI so so so}", "frame", run->frame, "rays",
+                            (json_int_t)st->rays, "rejected", (json_int_t)st->rejected, "hit_rate",
+                            lobe_app_json_number((double)st->hits / rays), "steps_per_ray",
+                            lobe_app_json_number((double)st->steps / rays), "ms", pass_times(st));
+    if (row && run->truth.rgb) json_object_set_new(row, "truth", judgement(run));
+    return json_array_append_new(run->rows, row) == 0;
+}
+
+static lobe_app_status run_frame(ssr_run *run) {
+    const ssr_values *v = run->values;
+    lobe_ssr_frame frame;
+    lobe_ssr_statistics st;
+    run->part = 0;
+    lobe_ssr_result result = lobe_ssr_frames_get(run->frames, run->frame, &frame);
+    if (result == LOBE_SSR_OK) result = lobe_ssr_run(run->ssr, &frame, &st);
+    if (result == LOBE_SSR_OK && run->truth.rgb) result = find_truth(run);
+    if (result == LOBE_SSR_OK)
+        result = lobe_app_write_ssr_frame(v->out, run->frame, run->ssr,
+                                          run->truth.rgb ? &run->truth : NULL, v->size.width,
+                                          v->size.height);
+    if (result != LOBE_SSR_OK) return status_of(result);
+    if (append_row(run, &st)) return LOBE_APP_DONE;
+    lobe_app_report("stats.json", "free some", "out of memory");
+    return LOBE_APP_FAILED;
+}
+
+static lobe_app_status finish(ssr_run *run) {
+    const ssr_values *v = run->values;
+    const char *method =
+        v->mode == LOBE_SSR_VNDF ? lobe_method_name((lobe_method)v->method) : modes[v->mode];
+    json_t *stats = json_pack("{si si ss ss ss ss sO}", "width", v->size.width, "height",
+                              v->size.height, "mode", modes[v->mode], "method", method, "resolve",
+                              resolves[v->resolve], "backend", "cpu", "frames", run->rows);
+    lobe_app_status status = lobe_app_write_stats(v->out, stats);
+    if (status == LOBE_APP_DONE && v->json) return lobe_app_print_json(stats);
+    json_decref(stats);
+    return status;
+}
+
+static int make_truth(ssr_run *run) {
+    const lobe_app_size size = run->values->size;
+    const size_t count = (size_t)size.width * (size_t)size.height;
+    run->truth = (lobe_app_truth){.width = size.width, .height = size.height};
+    if (!run->values->truth) return 1;
+    run->truth.rgb = malloc(4 * count * sizeof(float));
+    run->truth.on_screen = run->truth.rgb ? run->truth.rgb + 3 * count : NULL;
+    return run->truth.rgb != NULL;
+}
+
+static lobe_app_status run_frames(ssr_run *run) {
+    const ssr_values *v = run->values;
+    lobe_app_status status =
+        status_of(lobe_ssr_create(v->size.width, v->size.height, pipeline_options(v), &run->ssr));
+    if (!status)
+        status = status_of(lobe_ssr_frames_of_scene(run->scene, scene_options(run), &run->frames));
+    if (!status) status = lobe_app_make_folder(v->out);
+    run->rows = json_array();
+    if (!status && (!run->rows || !make_truth(run))) {
+        lobe_app_report("--truth", "use a smaller --size", "out of memory");
+        status = LOBE_APP_FAILED;
+    }
+    if (status) return status;
+    run->parts = v->truth ? 2 : 1;
+    run->progress = lobe_app_begin_progress(v->progress, "ssr", "frames");
+    while (!status && run->frame < (int)v->frames) {
+        status = run_frame(run);
+        run->frame++;
+    }
+    lobe_app_end_progress(&run->progress);
+    if (status != LOBE_APP_DONE && status != LOBE_APP_INTERRUPTED) return status;
+    const lobe_app_status written = finish(run);
+    return written ? written : status;
+}
+
+static void print_warning(void *user, const char *message) {
+    (void)user;
+    lobe_app_report_line(message);
+}
+
+static lobe_app_status reflect(const ssr_values *v, const char *source) {
+    ssr_run run = {.values = v, .source = source};
+    lobe_scene_options options = lobe_scene_default_options();
+    options.environment = v->environment;
+    options.warning = print_warning;
+    lobe_app_catch_interrupt();
+    const lobe_render_result loaded = lobe_scene_load(source, options, &run.scene);
+    lobe_app_status status = LOBE_APP_DONE;
+    if (loaded == LOBE_RENDER_OK) {
+        status = run_frames(&run);
+    } else {
+        lobe_app_report_line(lobe_render_error_message());
+        status = loaded == LOBE_RENDER_BAD_INPUT ? LOBE_APP_BAD_INPUT : LOBE_APP_FAILED;
+    }
+    free(run.truth.rgb);
+    json_decref(run.rows);
+    lobe_ssr_free(run.ssr);
+    lobe_ssr_frames_free(run.frames);
+    lobe_scene_free(run.scene);
+    return status;
+}
+
+/* ---- Arguments ------------------------------------------------------------------------------- */
+
+static lobe_app_status check_counts(const ssr_values *v) {
+    if (v->frames > 10000) return lobe_app_reject("--frames", "use 1 to 10000", "too many");
+    if (v->spp > LOBE_RENDER_SAMPLES_MAX)
+        return lobe_app_reject("--spp", "use 1 to 16777216", "too many samples");
+    if (v->iterations > 1000000)
+        return lobe_app_reject("--max-iterations", "use 1 to 1000000", "too many");
+    if (v->truth_rays > 1000000)
+        return lobe_app_reject("--truth-rays", "use 1 to 1000000", "too many");
+    if (v->threads > 1024) return lobe_app_reject("--threads", "use 1 to 1024", "too many threads");
+    if (v->size.width < 1 || v->size.width > LOBE_SSR_SIZE_MAX || v->size.height < 1 ||
+        v->size.height > LOBE_SSR_SIZE_MAX)
+        return lobe_app_reject("--size", "use 1x1 to 32768x32768", "out of range");
+    return LOBE_APP_DONE;
+}
+
+static lobe_app_status check_method(ssr_values *v, const lobe_app_arguments *arguments) {
+    const int is_chosen = v->mode == LOBE_SSR_VNDF;
+    lobe_model model;
+    if (lobe_app_is_given(arguments, "--method") && !is_chosen)
+        return lobe_app_reject("--method", "it goes with --mode vndf", "--mode %s has no choice",
+                               modes[v->mode]);
+    if (v->mode == LOBE_SSR_VNDF && v->method == LOBE_METHOD_NDF)
+        return lobe_app_reject("--method", "use --mode ndf", "ndf does not draw visible normals");
+    const lobe_app_status status =
+        lobe_app_choose_model(LOBE_NDF_GGX, LOBE_MASKING_SMITH, v->method, &model);
+    if (status) return status;
+    if (v->bias == 1)
+        return lobe_app_reject("--bias", "use less than 1", "nothing is left of the lobe");
+    if (!is_chosen || lobe_ssr_has_bias(model.method)) return LOBE_APP_DONE;
+    if (lobe_app_is_given(arguments, "--bias") && v->bias > 0)
+        return lobe_app_reject("--bias", "use 0", "unknown for method %s",
+                               lobe_method_name(model.method));
+    v->bias = 0;
+    return LOBE_APP_DONE;
+}
+
+static lobe_app_status check(ssr_values *v, const lobe_app_arguments *arguments) {
+    if (!arguments->operand)
+        return lobe_app_reject("ssr", "give a file or a name of lobe render --list-scenes",
+                               "no scene");
+    if (!v->out)
+        return lobe_app_reject("-o", "give a folder, as -o reflections", "no folder to write");
+    if (v->backend == BACKEND_GL)
+        return lobe_app_reject("--backend", "use cpu or auto", "gl is not built in");
+    if (v->smoothness_end > v->smoothness_start)
+        return lobe_app_reject("--min-smoothness", "use at most --smoothness-fade-start",
+                               "the fade ends before it starts");
+    if (lobe_app_is_given(arguments, "--truth-rays") && !v->truth)
+        return lobe_app_reject("--truth-rays", "give --truth too", "no truth was asked for");
+    const lobe_app_status status = check_counts(v);
+    return status ? status : check_method(v, arguments);
+}
+
+lobe_app_status lobe_app_ssr(int argc, char **argv) {
+    ssr_values values = default_values();
+    const lobe_app_group groups[] = {{"Frames", frame_options, &values},
+                                     {"Trace", trace_options, &values},
+                                     {"Resolve", resolve_options, &values},
+                                     {"Output", output_options, &values},
+                                     {0}};
+    const lobe_app_command command = {
+        "ssr",
+        "SCENE -o DIR [OPTIONS]",
+        "Reflections from the depth and colour of a scene's frames: rays through the depth "
+        "buffer.\n"
+        "DIR gets frame-0000.exr and .png, and stats.json; with --truth the error against real "
+        "rays.",
+        "SCENE",
+        groups,
+        "lobe ssr gallery -o reflections --min-smoothness 0.4 --truth"};
+    lobe_app_arguments arguments;
+    lobe_app_status status = lobe_app_parse(&command, argc, argv, &arguments);
+    if (status || arguments.is_answered) return status;
+    if ((status = check(&values, &arguments))) return status;
+    return reflect(&values, arguments.operand);
+}

@@ -1,0 +1,53 @@
+/* lobe/rays.h: single rays through a scene (lobe/render.h): what they meet, and the light along them. Made for
+ * G-buffers, and for judging what screen-space methods guess.
+ *
+ * Directions have unit length. Everything but create and free may be called by several threads at once; the
+ * scene must outlive the handle. */
+#ifndef LOBE_RAYS_H
+#define LOBE_RAYS_H
+
+#include "render.h"
+
+LOBE_BEGIN_C
+
+typedef struct lobe_rays lobe_rays;
+
+/* *rays is to be freed by lobe_rays_free after LOBE_RENDER_OK; otherwise it is NULL. */
+LOBE_API lobe_render_result lobe_rays_create(const lobe_scene *scene, lobe_rays **rays);
+LOBE_API void lobe_rays_free(lobe_rays *rays); /* NULL is fine */
+
+/* A place of a surface; the normals are turned to the side that the ray comes from. */
+typedef struct lobe_ray_surface {
+    float distance;
+    lobe_vec3_f32 position;
+    lobe_vec3_f32 normal;    /* shading, with the normal map: may face away from the ray */
+    lobe_vec3_f32 geometric; /* of the triangle */
+    lobe_vec3_f32 f0;        /* reflectance at normal incidence */
+    float roughness;         /* perceptual; of an anisotropic surface the one of the mean alpha */
+} lobe_ray_surface;
+
+/* The first surface; of those that let light through by their alpha, what stops half of it counts. 0: none. */
+LOBE_API int lobe_rays_meet(const lobe_rays *rays, lobe_vec3_f32 origin, lobe_vec3_f32 direction,
+                            lobe_ray_surface *surface);
+
+/* One path-traced sample of the radiance that arrives at `origin` against `direction`. (seed, stream) names
+ * the place, index the sample there, one of `samples`: the same numbers give the same bits. */
+LOBE_API lobe_vec3_f32 lobe_rays_light(const lobe_rays *rays, lobe_vec3_f32 origin,
+                                       lobe_vec3_f32 direction, uint64_t seed, uint64_t stream,
+                                       uint32_t index, uint32_t samples);
+
+/* The light of the environment from a direction; 0 where a scene has none. */
+LOBE_API lobe_vec3_f32 lobe_rays_environment(const lobe_rays *rays, lobe_vec3_f32 direction);
+
+typedef struct lobe_view {
+    lobe_vec3_f32 position, target, up;
+    float vertical_degrees;
+} lobe_view;
+
+/* A camera of the scene; NULL: its first, else framed. LOBE_RENDER_BAD_INPUT: no such name. */
+LOBE_API lobe_render_result lobe_scene_view(const lobe_scene *scene, const char *camera,
+                                            lobe_view *view);
+
+LOBE_END_C
+
+#endif

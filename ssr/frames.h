@@ -1,0 +1,45 @@
+/* A sequence of frames of a scene, in the making. */
+#ifndef LOBE_SSR_ROOM_FRAMES_H
+#define LOBE_SSR_ROOM_FRAMES_H
+
+#include "lobe/ssr_frames.h"
+#include "pipeline.h"
+
+enum { ENVIRONMENT_WIDTH = 128, ENVIRONMENT_HEIGHT = 64, ENVIRONMENT_LEVELS = 6 };
+
+struct lobe_ssr_frames {
+    lobe_rays *rays;
+    lobe_ssr_scene_options options;
+    int threads;
+    lobe_view view;       /* of frame 0 */
+    float *environment;   /* prefiltered */
+    lobe_ssr_frame frame; /* the present one */
+    float *z, *normal, *roughness, *f0, *motion, *color;
+    float *previous_z; /* as seen by the previous camera */
+};
+
+/* Prefilter what surrounds the scene; NULL: no memory. */
+float *lobe_ssr_prefilter(const lobe_rays *rays, int threads);
+
+/* Camera of a frame; of a negative one, the first's. */
+lobe_ssr_camera lobe_ssr_frame_camera(const lobe_ssr_frames *f, int index);
+
+/* Runs `row` for all rows in parallel, with progress from `from` to `to`; 0: cancelled. */
+int lobe_ssr_rows(lobe_ssr_frames *f, void (*row)(void *work, int y), void *work, double from,
+                  double to);
+
+/* A direction from `eye` of length 1, and the length of the vector. */
+static inline v3 ssr_unit(v3 d, float *length) {
+    *length = k_sqrt(v3_dot(d, d));
+    return v3_scale(d, 1.0f / *length);
+}
+
+static inline lobe_vec3_f32 ssr_out(v3 a) {
+    return (lobe_vec3_f32){a.x, a.y, a.z};
+}
+
+static inline v3 ssr_in(lobe_vec3_f32 a) {
+    return v3_of(a.x, a.y, a.z);
+}
+
+#endif

@@ -1,0 +1,84 @@
+/* The state of the pipeline, and its passes: one file each. A pass runs over rows in parallel; no pixel
+ * reads what the same pass writes, so the bits do not depend on the number of threads. */
+#ifndef LOBE_SSR_PIPELINE_H
+#define LOBE_SSR_PIPELINE_H
+
+#include "lobe/ssr.h"
+#include "passes/bind_c.h"
+
+enum { SSR_LEVELS_MAX = 17 }; /* 32768 pixels down to one */
+
+/* Nearest and farthest depth of the cells of a level. */
+typedef struct depth_cell {
+    float nearest, farthest;
+} depth_cell;
+
+typedef struct pyramid {
+    int levels;
+    int width[SSR_LEVELS_MAX], height[SSR_LEVELS_MAX];
+    depth_cell *depth[SSR_LEVELS_MAX];
+    float *color
+        [SSR_LEVELS_MAX]; /* r, g, b; level 0 is the frame's, the others are made for APPROX only */
+} pyramid;
+
+struct lobe_ssr {
+    int width, height, threads;
+    lobe_ssr_options options;
+    uint64_t frame; /* number of the present one */
+    pyramid pyramid;
+    lobe_ssr_ray *rays;
+    float *found; /* per ray: r, g, b at what was met, and the fade there; 0: nothing */
+    float *resolved, *reflection, *history; /* r, g, b times opacity; opacity */
+    float *last_z;                          /* of the frame before; 0: none */
+    float *radiance, *composite;
+};
+
+static inline size_t ssr_pixels(const lobe_ssr *s) {
+    return (size_t)s->width * (size_t)s->height;
+}
+
+static inline v3 ssr_v3(const float *values) {
+    return v3_of(values[0], values[1], values[2]);
+}
+
+ssr_camera lobe_ssr_camera_of(const lobe_ssr_camera *c, float width, float height);
+ssr_camera lobe_ssr_kernel_camera(const lobe_ssr *s, const lobe_ssr_camera *c);
+
+v3 lobe_ssr_cross(v3 a, v3 b);
+v3 lobe_ssr_across(v3 z); /* some unit vector across the unit vector z */
+
+/* 0: no surface there. */
+float lobe_ssr_z_at(const lobe_ssr_frame *f, size_t pixel);
+
+/* Motion of a pixel, 0 where it is not finite. */
+void lobe_ssr_motion_at(const lobe_ssr_frame *f, size_t pixel, float motion[2]);
+
+/* A surface seen from the front, in its own frame. */
+typedef struct ssr_surface {
+    v3 x, y, z;   /* the shading frame, world */
+    v3 to_viewer; /* in the frame, unit */
+    float alpha, distance;
+} ssr_surface;
+
+/* 0: none there, not seen from the front. */
+int lobe_ssr_surface_at(const ssr_camera *c, const lobe_ssr_frame *f, int x, int y,
+                        ssr_surface *surface);
+
+/* Three numbers in [0, 1): well spread over neighbouring pixels and over frames. */
+void lobe_ssr_noise(const lobe_ssr *s, int x, int y, float u[3]);
+
+/* Light at a direction, 0 without an environment. */
+v3 lobe_ssr_environment_at(const lobe_ssr_environment *e, v3 direction, float roughness);
+
+/* Colour between the pixels of a picture; `p` in [0, 1] across it. */
+v3 lobe_ssr_color_between(const float *rgb, int width, int height, const float p[2]);
+
+/* The passes, in order. */
+void lobe_ssr_pass_pyramid(lobe_ssr *s, const lobe_ssr_frame *f);
+void lobe_ssr_pass_trace(lobe_ssr *s, const lobe_ssr_frame *f, lobe_ssr_statistics *statistics);
+void lobe_ssr_pass_reproject(lobe_ssr *s, const lobe_ssr_frame *f);
+void lobe_ssr_pass_resolve(lobe_ssr *s, const lobe_ssr_frame *f);
+void lobe_ssr_pass_accumulate(lobe_ssr *s, const lobe_ssr_frame *f);
+void lobe_ssr_pass_composite(lobe_ssr *s, const lobe_ssr_frame *f);
+
+#endif

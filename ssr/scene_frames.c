@@ -1,0 +1,208 @@
+/* Frames of a scene: one ray through the centre of each pixel fills the G-buffer; the colour of the frame
+ * before is path-traced. */
+#include <math.h>
+#include <omp.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "frames.h"
+#include "lobe/random.h"
+#include "message.h"
+
+lobe_ssr_scene_options lobe_ssr_scene_default_options(void) {
+    return (lobe_ssr_scene_options){
+        .width = 640, .height = 360, .count = 8, .samples = 16, .roughness = -1.0f};
+}
+
+static lobe_ssr_result check_options(const lobe_ssr_scene_options *o) {
+    if (o->width < 1 || o->height < 1 || o->width > LOBE_SSR_SIZE_MAX ||
+        o->height > LOBE_SSR_SIZE_MAX)
+        return lobe_ssr_fail(LOBE_SSR_BAD_INPUT, "size: %d x %d is out of range; use 1 to %d",
+                             o->width, o->height, LOBE_SSR_SIZE_MAX);
+    if (o->count < 1 || o->count > 1000000 || o->samples < 1 ||
+        o->samples > LOBE_RENDER_SAMPLES_MAX || (unsigned)o->path > LOBE_SSR_PATH_STILL ||
+        !(o->roughness <= 1.0f) || o->threads < 0 || o->threads > 1024)
+        return lobe_ssr_fail(LOBE_SSR_BAD_INPUT,
+                             "options: a value is out of range; see lobe/ssr_frames.h");
+    return LOBE_SSR_OK;
+}
+
+/* An error of the renderer becomes one of this room. */
+static lobe_ssr_result pass_on(lobe_render_result result) {
+    return lobe_ssr_fail(result == LOBE_RENDER_BAD_INPUT ? LOBE_SSR_BAD_INPUT : LOBE_SSR_FAILED,
+                         "%s", lobe_render_error_message());
+}
+
+static int make_buffers(lobe_ssr_frames *f) {
+    const size_t count = (size_t)f->options.width * (size_t)f->options.height;
+    f->environment = lobe_ssr_prefilter(f->rays, f->threads);
+    f->z = malloc(count * sizeof *f->z);
+    f->normal = malloc(3 * count * sizeof *f->normal);
+    f->roughness = malloc(count * sizeof *f->roughness);
+    f->f0 = malloc(3 * count * sizeof *f->f0);
+    f->motion = malloc(2 * count * sizeof *f->motion);
+    f->color = malloc(3 * count * sizeof *f->color);
+    f->previous_z = malloc(count * sizeof *f->previous_z);
+    return f->environment && f->z && f->normal && f->roughness && f->f0 && f->motion && f->color &&
+           f->previous_z;
+}
+
+lobe_ssr_result lobe_ssr_frames_of_scene(const lobe_scene *scene, lobe_ssr_scene_options options,
+                                         lobe_ssr_frames **frames) {
+    *frames = NULL;
+    const lobe_ssr_result result = check_options(&options);
+    if (result != LOBE_SSR_OK) return result;
+    lobe_ssr_frames *f = calloc(1, sizeof *f);
+    if (!f) return lobe_ssr_fail_memory("frames");
+    f->options = options;
+    f->threads = options.threads ? options.threads : omp_get_max_threads();
+    lobe_render_result made = lobe_scene_view(scene, options.camera, &f->view);
+    if (made == LOBE_RENDER_OK) made = lobe_rays_create(scene, &f->rays);
+    if (made != LOBE_RENDER_OK) {
+        lobe_ssr_frames_free(f);
+        return pass_on(made);
+    }
+    if (!make_buffers(f)) {
+        lobe_ssr_frames_free(f);
+        return lobe_ssr_fail_memory("frames");
+    }
+    f->frame = (lobe_ssr_frame){
+        .z = f->z,
+        .normal = f->normal,
+        .roughness = f->roughness,
+        .f0 = f->f0,
+        .motion = f->motion,
+        .previous_color = f->color,
+        .environment = {ENVIRONMENT_WIDTH, ENVIRONMENT_HEIGHT, ENVIRONMENT_LEVELS, f->environment}};
+    *frames = f;
+    return LOBE_SSR_OK;
+}
+
+void lobe_ssr_frames_free(lobe_ssr_frames *f) {
+    if (!f) return;
+    lobe_rays_free(f->rays);
+    free(f->environment);
+    free(f->z);
+    free(f->normal);
+    free(f->roughness);
+    free(f->f0);
+    free(f->motion);
+    free(f->color);
+    free(f->previous_z);
+    free(f);
+}
+
+int lobe_ssr_rows(lobe_ssr_frames *f, void (*row)(void *work, int y), void *work, double from,
+                  double to) {
+    const lobe_ssr_scene_options *o = &f->options;
+    int done = 0, stopped = 0;
+#pragma omp parallel for schedule(dynamic, 1) num_threads(f->threads)
+    for (int y = 0; y < o->height; y++) {
+        if (o->cancel && *o->cancel) {
+#pragma omp atomic write
+            stopped = 1;
+            continue;
+        }
+        row(work, y);
+        int now;
+#pragma omp atomic capture
+        now = ++done;
+        if (o->progress && omp_get_thread_num() == 0)
+            o->progress(o->progress_user, from + (to - from) * now / o->height);
+    }
+    return !stopped;
+}
+
+/* What one frame needs. */
+typedef struct scene_frame {
+    lobe_ssr_frames *f;
+    ssr_camera camera, previous;
+    int index;
+} scene_frame;
+
+/* Where a place, or what lies without end in its direction, was on the screen. */
+static void put_motion(const scene_frame *s, int x, int y, v3 place, float motion[2]) {
+    const v3 was = ssr_project(s->previous, place);
+    motion[0] = motion[1] = 0.0f;
+    if (!(was.z > 0.0f)) {
+        motion[0] = 2.0f; /* off every screen */
+        return;
+    }
+    motion[0] = ((float)x + 0.5f - was.x) / s->camera.width;
+    motion[1] = ((float)y + 0.5f - was.y) / s->camera.height;
+}
+
+static v3 ray_through(const ssr_camera *c, float px, float py, float *length) {
+    return ssr_unit(ssr_view_vector(*c, px, py, 1.0f), length);
+}
+
+static void fill_pixel(const scene_frame *s, int x, int y) {
+    lobe_ssr_frames *f = s->f;
+    const size_t i = (size_t)y * (size_t)f->options.width + (size_t)x;
+    float length;
+    const v3 direction = ray_through(&s->camera, (float)x + 0.5f, (float)y + 0.5f, &length);
+    lobe_ray_surface surface;
+    memset(f->normal + 3 * i, 0, 3 * sizeof *f->normal);
+    memset(f->f0 + 3 * i, 0, 3 * sizeof *f->f0);
+    f->z[i] = f->roughness[i] = 0.0f;
+    if (!lobe_rays_meet(f->rays, ssr_out(s->camera.eye), ssr_out(direction), &surface)) {
+        const v3 far_away = v3_scale(direction, 1e6f * s->camera.near_z);
+        put_motion(s, x, y, v3_add(s->camera.eye, far_away), f->motion + 2 * i);
+        return;
+    }
+    f->z[i] = surface.distance / length;
+    f->roughness[i] = f->options.roughness >= 0.0f ? f->options.roughness : surface.roughness;
+    memcpy(f->normal + 3 * i, &surface.normal, 3 * sizeof *f->normal);
+    memcpy(f->f0 + 3 * i, &surface.f0, 3 * sizeof *f->f0);
+    put_motion(s, x, y, ssr_in(surface.position), f->motion + 2 * i);
+}
+
+/* Box-filtered, as engines have it. */
+static void color_pixel(const scene_frame *s, int x, int y) {
+    lobe_ssr_frames *f = s->f;
+    const lobe_ssr_scene_options *o = &f->options;
+    const size_t i = (size_t)y * (size_t)o->width + (size_t)x;
+    const uint64_t stream = (uint64_t)s->index << 32 | i;
+    v3 sum = v3_of(0.0f, 0.0f, 0.0f);
+    for (uint32_t k = 0; k < o->samples; k++) {
+        const lobe_random4 r = lobe_random(o->seed, stream, k);
+        float length;
+        const v3 direction = ray_through(&s->previous, (float)x + lobe_random_unit_f32(r.word[0]),
+                                         (float)y + lobe_random_unit_f32(r.word[1]), &length);
+        sum = v3_add(sum,
+                     ssr_in(lobe_rays_light(f->rays, ssr_out(s->previous.eye), ssr_out(direction),
+                                            o->seed, stream, k, o->samples)));
+    }
+    sum = v3_scale(sum, 1.0f / (float)o->samples);
+    f->color[3 * i] = sum.x;
+    f->color[3 * i + 1] = sum.y;
+    f->color[3 * i + 2] = sum.z;
+    float length;
+    const v3 direction = ray_through(&s->previous, (float)x + 0.5f, (float)y + 0.5f, &length);
+    lobe_ray_surface surface;
+    const int met = lobe_rays_meet(f->rays, ssr_out(s->previous.eye), ssr_out(direction), &surface);
+    f->previous_z[i] = met ? surface.distance / length : 0.0f;
+}
+
+static void fill_row(void *work, int y) {
+    const scene_frame *s = work;
+    for (int x = 0; x < s->f->options.width; x++) {
+        fill_pixel(s, x, y);
+        color_pixel(s, x, y);
+    }
+}
+
+lobe_ssr_result lobe_ssr_frames_get(lobe_ssr_frames *f, int index, lobe_ssr_frame *frame) {
+    if (index < 0 || index >= f->options.count)
+        return lobe_ssr_fail(LOBE_SSR_BAD_INPUT, "frame %d: out of range; use 0 to %d", index,
+                             f->options.count - 1);
+    f->frame.camera = lobe_ssr_frame_camera(f, index);
+    f->frame.previous_camera = lobe_ssr_frame_camera(f, index - 1);
+    const float width = (float)f->options.width, height = (float)f->options.height;
+    scene_frame s = {f, lobe_ssr_camera_of(&f->frame.camera, width, height),
+                     lobe_ssr_camera_of(&f->frame.previous_camera, width, height), index};
+    if (!lobe_ssr_rows(f, fill_row, &s, 0.0, 1.0))
+        return lobe_ssr_fail(LOBE_SSR_INTERRUPTED, "frame %d: interrupted; start again", index);
+    *frame = f->frame;
+    return LOBE_SSR_OK;
+}

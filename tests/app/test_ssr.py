@@ -1,0 +1,141 @@
+"""lobe ssr from outside: files, statistics, errors. tests/ssr proves the passes themselves."""
+import json
+import os
+import signal
+import subprocess
+import tempfile
+import time
+from pathlib import Path
+
+from program import PROGRAM, ProgramTest, main
+
+SMALL = ["--size", "48x27", "--spp", "1", "--frames", "2"]
+ROUGH = ["--min-smoothness", "0", "--smoothness-fade-start", "0"]
+BAD_VALUES = {
+    "--size": ["", "64", "0x10", "32769x1", "axb"],
+    "--frames": ["0", "10001", "x"],
+    "--camera-path": ["around", ""],
+    "--camera": ["nobody"],
+    "--spp": ["0", "16777217"],
+    "--roughness": ["-0.1", "1.1", "nan"],
+    "--threads": ["0", "1025"],
+    "--backend": ["cuda", "gl"],
+    "--mode": ["ggx"],
+    "--method": ["newton", "vcavity", "ndf", "best"],
+    "--bias": ["1", "-1"],
+    "--max-iterations": ["0", "1000001"],
+    "--thickness": ["2", "thick"],
+    "--resolve": ["5x5"],
+    "--edge-fade": ["-1"],
+    "--min-smoothness": ["0.95"],
+    "--accumulation": ["1.5"],
+    "--truth-rays": ["0", "8"],
+}
+
+
+class SsrTest(ProgramTest):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def ssr(self, *arguments, name="out"):
+        """What stats.json holds."""
+        folder = self.folder / name
+        self.assertEqual(self.done("ssr", "gallery", "-o", str(folder), *SMALL, *arguments), b"")
+        return json.loads((folder / "stats.json").read_text())
+
+    def test_writes_frames_and_statistics(self):
+        stats = self.ssr(*ROUGH)
+        self.assertEqual({path.name for path in (self.folder / "out").iterdir()},
+                         {"stats.json", "frame-0000.exr", "frame-0000.png", "frame-0001.exr",
+                          "frame-0001.png"})
+        self.assertEqual((self.folder / "out/frame-0001.exr").read_bytes()[:4], b"\x76\x2f\x31\x01")
+        self.assertEqual((self.folder / "out/frame-0001.png").read_bytes()[:4], b"\x89PNG")
+        frames = stats.pop("frames")
+        self.assertEqual(stats, {"width": 48, "height": 27, "mode": "vndf", "method": "bounded",
+                                 "resolve": "neighbourhood-ratio", "backend": "cpu"})
+        self.assertEqual([frame["frame"] for frame in frames], [0, 1])
+        for frame in frames:
+            self.assertEqual(set(frame), {"frame", "rays", "rejected", "hit_rate",
+                                          "steps_per_ray", "ms"})
+            self.assertEqual(set(frame["ms"]), {"pyramid", "trace", "reproject", "resolve",
+                                                "accumulate", "composite"})
+            self.assertGreater(frame["rays"], 48 * 27 / 4)
+            self.assertTrue(0 < frame["hit_rate"] < 1)
+
+    def test_judges_by_real_rays_and_keeps_them(self):
+        first = self.ssr(*ROUGH, "--truth", "--truth-rays", "4")
+        truth = (self.folder / "out/truth-0001.exr").read_bytes()
+        written = os.stat(self.folder / "out/truth-0001.exr").st_mtime_ns
+        second = self.ssr(*ROUGH, "--truth", "--truth-rays", "4")
+        self.assertEqual(os.stat(self.folder / "out/truth-0001.exr").st_mtime_ns, written)
+        for a, b in zip(first["frames"], second["frames"]):
+            self.assertEqual(set(a["truth"]), {"relmse", "relmse_onscreen", "false_hits",
+                                               "false_misses"})
+            self.assertEqual(a["truth"], b["truth"])
+        self.ssr(*ROUGH, "--truth", "--truth-rays", "4", "--seed", "9")
+        self.assertNotEqual((self.folder / "out/truth-0001.exr").read_bytes(), truth)
+
+    def test_pictures_do_not_depend_on_threads(self):
+        for threads in ("1", "3"):
+            self.ssr(*ROUGH, "--threads", threads, name=threads)
+        for picture in ("frame-0000.exr", "frame-0001.exr"):
+            self.assertEqual((self.folder / "1" / picture).read_bytes(),
+                             (self.folder / "3" / picture).read_bytes())
+
+    def test_default_reflects_smooth_surfaces_only(self):
+        self.assertLess(self.ssr()["frames"][0]["rays"],
+                        self.ssr(*ROUGH, name="rough")["frames"][0]["rays"] / 4)
+
+    def test_modes_methods_and_resolves(self):
+        for arguments, method in ((["--mode", "mirror", "--resolve", "approx"], "mirror"),
+                                  (["--mode", "ndf", "--resolve", "neighbourhood"], "ndf"),
+                                  (["--method", "slope"], "slope"),
+                                  (["--method", "horizon", "--as-hdrp", "--linear"], "horizon")):
+            stats = self.ssr(*arguments, *ROUGH, "--no-sky")
+            self.assertEqual(stats["method"], method)
+
+    def test_one_pixel(self):
+        folder = str(self.folder / "one")
+        self.done("ssr", "cornell", "-o", folder, "--size", "1x1", "--frames", "1", *ROUGH,
+                  "--truth", "--truth-rays", "1")
+
+    def test_bad_usage(self):
+        folder = str(self.folder / "none")
+        self.rejected("ssr", where="ssr")
+        self.rejected("ssr", "gallery", where="-o")
+        self.rejected("ssr", "no-such-scene", "-o", folder)
+        for option, values in BAD_VALUES.items():
+            for value in values:
+                self.rejected("ssr", "gallery", "-o", folder, *(
+                    [] if option in SMALL else SMALL), f"{option}={value}")
+        self.rejected("ssr", "gallery", "-o", folder, "--mode", "mirror", "--method", "caps",
+                      where="--method")
+        self.rejected("ssr", "gallery", "-o", folder, "--method", "slope", "--bias", "0.2",
+                      where="--bias")
+        self.assertFalse(os.path.exists(folder))
+
+    def test_a_folder_that_cannot_be(self):
+        (self.folder / "file").write_text("")
+        self.rejected("ssr", "gallery", "-o", str(self.folder / "file"), *SMALL, status=(1,))
+        self.rejected("ssr", "gallery", "-o", str(self.folder / "a/b"), *SMALL, status=(1,))
+
+    def test_an_interrupt_keeps_what_is_finished(self):
+        folder = self.folder / "cut"
+        process = subprocess.Popen([PROGRAM, "ssr", "gallery", "-o", str(folder), "--size",
+                                    "96x54", "--spp", "4", "--frames", "10000"],
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        deadline = time.monotonic() + 50
+        while not (folder / "frame-0001.png").exists() and time.monotonic() < deadline:
+            time.sleep(0.05)
+        process.send_signal(signal.SIGINT)
+        out, err = process.communicate(timeout=50)
+        self.assertEqual((process.returncode, out, err), (130, b"", b""))
+        frames = json.loads((folder / "stats.json").read_text())["frames"]
+        self.assertGreaterEqual(len(frames), 2)
+        self.assertFalse([path for path in folder.iterdir() if path.suffix == ".part"])
+
+
+if __name__ == "__main__":
+    main()

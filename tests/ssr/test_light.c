@@ -1,0 +1,214 @@
+/* tests/ssr/test_light.c: draws, weights and light: a furnace, the albedo of the lobe, the spread of the
+ * random numbers, the bias, the history. */
+#include "frames.h"
+
+#include "ssr/pipeline.h"
+
+static lobe_ssr_options rough(lobe_method method) {
+    lobe_ssr_options o = lobe_ssr_default_options();
+    o.method = method;
+    o.fade_start = o.fade_end = 1.0f;
+    o.bias = 0.0f;
+    return o;
+}
+
+/* Constant light from the screen and from outside gives constant light, by every resolve and sampler. */
+static void constant_light_stays_constant(void **state) {
+    (void)state;
+    const float white[3] = {1.0f, 1.0f, 1.0f};
+    made_frame m = make_room(64, 36, 0.6f);
+    m.frame.environment = (lobe_ssr_environment){1, 1, 1, white};
+    for (int resolve = 0; resolve < 3; resolve++)
+        for (int row = 0; row < lobe_model_count(); row++) {
+            const lobe_model model = lobe_model_at(row);
+            if (model.ndf != LOBE_NDF_GGX || model.masking != LOBE_MASKING_SMITH) continue;
+            lobe_ssr_options o = rough(model.method);
+            o.resolve = (lobe_ssr_resolve)resolve;
+            lobe_ssr *ssr = open_ssr(&m, o);
+            for (int frame = 0; frame < 2; frame++) run_frame(ssr, &m);
+            int reflecting = 0;
+            for (int i = 0; i < 64 * 36; i++) {
+                const float *r = lobe_ssr_reflection(ssr) + 4 * i;
+                reflecting += r[3] > 0.1f;
+                for (int k = 0; k < 3; k++) {
+                    assert_true(fabsf(r[k] - r[3]) < 1e-5f);
+                    assert_true(fabsf(lobe_ssr_radiance(ssr)[3 * i + k] - 1.0f) < 1e-5f);
+                }
+            }
+            assert_true(reflecting > 600);
+            lobe_ssr_free(ssr);
+        }
+    free_frame(&m);
+}
+
+/* Every pixel sees the same: the mean weight, drops as 0, is the albedo. 5 sigma of independent draws; the
+ * draws are spread better than that. */
+static void the_mean_weight_is_the_albedo(void **state) {
+    (void)state;
+    enum { SIZE = 64, FRAMES = 4 };
+    made_frame m = make_frame(SIZE, SIZE, 0.01f);
+    const lobe_vec3_f32 v = pixel_direction(&m, SIZE / 2, SIZE / 2);
+    for (int i = 0; i < SIZE * SIZE; i++) {
+        m.z[i] = 3.0f;
+        m.normal[3 * i + 1] = 1.0f; /* seen at a flat angle */
+        m.roughness[i] = 0.7f;
+    }
+    const float mu = -v.y / sqrtf(v.x * v.x + v.y * v.y + v.z * v.z);
+    const lobe_method methods[] = {LOBE_METHOD_ELLIPSOID, LOBE_METHOD_BOUNDED, LOBE_METHOD_HORIZON,
+                                   LOBE_METHOD_NDF};
+    double expected = 0.0, last = 0.0;
+    for (size_t k = 0; k < sizeof methods / sizeof *methods; k++) {
+        lobe_ssr *ssr = open_ssr(&m, rough(methods[k]));
+        double sum = 0.0, squares = 0.0, count = 0.0;
+        for (int frame = 0; frame < FRAMES; frame++) {
+            run_frame(ssr, &m);
+            for (int i = 0; i < SIZE * SIZE; i++) {
+                const lobe_ssr_ray *ray = &lobe_ssr_rays(ssr)[i];
+                assert_true(ray->state != LOBE_SSR_NO_RAY);
+                const double w = ray->state == LOBE_SSR_REJECTED ? 0.0 : (double)ray->weight;
+                sum += w;
+                squares += w * w;
+                count += 1.0;
+            }
+        }
+        const double mean = sum / count, sigma = sqrt((squares / count - mean * mean) / count);
+        /* against draws of the same lobe made one by one */
+        lobe_reflection_options options = lobe_reflection_default_options();
+        options.model.method = LOBE_METHOD_BOUNDED;
+        const lobe_reflection_f32 model = lobe_reflection_prepare_f32(
+            options, (lobe_vec3_f32){sqrtf(1.0f - mu * mu), 0.0f, mu}, 0.49f, 0.49f);
+        expected = last = 0.0;
+        for (int i = 0; i < 40000; i++) {
+            const lobe_random4 u = lobe_random(5, 0, (uint64_t)i);
+            const float w = lobe_reflection_sample_f32(&model, lobe_random_unit_f32(u.word[0]),
+                                                       lobe_random_unit_f32(u.word[1]), 0.0f)
+                                .weight;
+            expected += (double)w / 40000;
+            last += (double)w * (double)w / 40000;
+        }
+        const double own = sqrt((last - expected * expected) / 40000);
+        print_message("%s: %.4f, expected %.4f, sigma %.4f\n", lobe_method_name(methods[k]), mean,
+                      expected, hypot(sigma, own));
+        assert_true(fabs(mean - expected) < 5.0 * hypot(sigma, own) + 1e-3);
+        lobe_ssr_free(ssr);
+    }
+    free_frame(&m);
+}
+
+/* In the first frame each number of an aligned 4 x 4 block lies in another sixteenth. */
+static void neighbours_share_out_the_random_numbers(void **state) {
+    (void)state;
+    made_frame m = make_frame(64, 32, 50.0f);
+    lobe_ssr *ssr = open_ssr(&m, rough(LOBE_METHOD_BOUNDED));
+    for (int block = 0; block < 128; block++) {
+        unsigned seen[2] = {0, 0}, pairs = 0;
+        for (int k = 0; k < 16; k++) {
+            float u[3];
+            lobe_ssr_noise(ssr, block % 16 * 4 + k % 4, block / 16 * 4 + k / 4, u);
+            for (int d = 0; d < 3; d++) assert_true(u[d] >= 0.0f && u[d] < 1.0f);
+            seen[0] |= 1u << (int)(16.0f * u[0]);
+            seen[1] |= 1u << (int)(16.0f * u[1]);
+            pairs |= 1u << ((int)(4.0f * u[0]) * 4 + (int)(4.0f * u[1]));
+        }
+        assert_true(seen[0] == 0xffffu && seen[1] == 0xffffu && pairs == 0xffffu);
+    }
+    lobe_ssr_free(ssr);
+    free_frame(&m);
+}
+
+/* A bias draws nearer to the mirrored direction, by every method for which one is known. */
+static void a_bias_shortens_the_lobe(void **state) {
+    (void)state;
+    made_frame m = make_room(96, 54, 0.7f);
+    for (int row = 0; row < lobe_model_count(); row++) {
+        const lobe_model model = lobe_model_at(row);
+        if (model.ndf != LOBE_NDF_GGX || model.masking != LOBE_MASKING_SMITH) continue;
+        if (!lobe_ssr_has_bias(model.method)) continue;
+        double mean[2];
+        for (int biased = 0; biased < 2; biased++) {
+            lobe_ssr_options o = rough(model.method);
+            o.mode = model.method == LOBE_METHOD_NDF ? LOBE_SSR_NDF : LOBE_SSR_VNDF;
+            o.bias = biased ? 0.9f : 0.0f;
+            lobe_ssr *ssr = open_ssr(&m, o);
+            run_frame(ssr, &m);
+            lobe_vec3_f32 sum = {0};
+            double count = 0.0;
+            for (int i = 0; i < 96 * 54; i++) {
+                const lobe_ssr_ray *ray = &lobe_ssr_rays(ssr)[i];
+                if (m.roughness[i] > 0.8f || ray->state == LOBE_SSR_NO_RAY || ray->pdf == 0.0f)
+                    continue;
+                sum.x += ray->direction.x;
+                sum.y += ray->direction.y;
+                sum.z += ray->direction.z;
+                count += 1.0;
+            }
+            mean[biased] = sqrt((double)(sum.x * sum.x + sum.y * sum.y + sum.z * sum.z)) / count;
+            lobe_ssr_free(ssr);
+        }
+        print_message("%s: %.3f, biased %.3f\n", lobe_method_name(model.method), mean[0], mean[1]);
+        assert_true(mean[1] > mean[0] + 0.1);
+    }
+    free_frame(&m);
+}
+
+static double noise_of(lobe_ssr *ssr, const made_frame *m) {
+    double sum = 0.0, squares = 0.0, count = 0.0;
+    for (int i = 0; i < m->width * m->height; i++) {
+        if (m->roughness[i] > 0.8f) continue;
+        const double c = (double)lobe_ssr_radiance(ssr)[3 * i];
+        sum += c;
+        squares += c * c;
+        count += 1.0;
+    }
+    return squares / count - sum / count * (sum / count);
+}
+
+/* Stripes on the wall: history lowers the variance while nothing moves, and ends where all is new. */
+static void history_averages_and_is_dropped(void **state) {
+    (void)state;
+    made_frame m = make_room(192, 108, 0.6f);
+    for (int i = 0; i < 192 * 108; i++)
+        for (int k = 0; k < 3; k++) m.color[3 * i + k] = i % 192 / 4 % 2 ? 4.0f : 0.0f;
+    lobe_ssr *ssr = open_ssr(&m, rough(LOBE_METHOD_BOUNDED));
+    run_frame(ssr, &m);
+    assert_memory_equal(lobe_ssr_reflection(ssr), lobe_ssr_resolved(ssr), 16 * 192 * 108);
+    const double first = noise_of(ssr, &m);
+    for (int frame = 0; frame < 12; frame++) run_frame(ssr, &m);
+    const double later = noise_of(ssr, &m);
+    print_message("variance %.4f, after 12 frames %.4f\n", first, later);
+    assert_true(later < 0.8 * first);
+    /* twenty pixels of motion a frame: speed 20 * 0.5 * 0.2 keeps no history */
+    for (int i = 0; i < 192 * 108; i++) m.motion[2 * i] = 20.0f / 192.0f;
+    run_frame(ssr, &m);
+    assert_memory_equal(lobe_ssr_reflection(ssr), lobe_ssr_resolved(ssr), 16 * 192 * 108);
+    /* another surface stands there now */
+    memset(m.motion, 0, sizeof(float) * 2 * 192 * 108);
+    for (int i = 0; i < 192 * 108; i++) m.z[i] *= 0.5f;
+    run_frame(ssr, &m);
+    assert_memory_equal(lobe_ssr_reflection(ssr), lobe_ssr_resolved(ssr), 16 * 192 * 108);
+    lobe_ssr_free(ssr);
+    free_frame(&m);
+}
+
+static void fades_end_where_they_should(void **state) {
+    (void)state;
+    assert_true(ssr_edge_fade(0.0f, 0.1f) == 0.0f && ssr_edge_fade(1.0f, 0.1f) == 0.0f);
+    assert_true(ssr_edge_fade(0.5f, 0.1f) == 1.0f && ssr_edge_fade(0.05f, 0.1f) == 1.0f);
+    assert_true(fabsf(ssr_edge_fade(0.025f, 0.1f) - 0.5f) < 1e-6f);
+    assert_true(ssr_edge_fade(1.01f, 0.1f) == 0.0f && ssr_edge_fade(0.0f, 0.0f) == 1.0f);
+    assert_true(ssr_roughness_fade(0.1f, 0.1f, 0.1f) == 1.0f);
+    assert_true(ssr_roughness_fade(0.101f, 0.1f, 0.1f) == 0.0f);
+    assert_true(fabsf(ssr_roughness_fade(0.3f, 0.2f, 0.4f) - 0.5f) < 1e-6f);
+    assert_true(ssr_new_share(0.75f, 0.0f, 0.0f, 0.1f) == 0.25f);
+    assert_true(ssr_new_share(0.75f, 5.0f, 5.0f, 0.1f) == 1.0f);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(constant_light_stays_constant),
+                                       cmocka_unit_test(the_mean_weight_is_the_albedo),
+                                       cmocka_unit_test(neighbours_share_out_the_random_numbers),
+                                       cmocka_unit_test(a_bias_shortens_the_lobe),
+                                       cmocka_unit_test(history_averages_and_is_dropped),
+                                       cmocka_unit_test(fades_end_where_they_should)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
