@@ -15,7 +15,7 @@ compile="clang --target=wasm32-wasi -std=c17 -DNDEBUG -ffp-contract=off -fno-mat
 
 for name in lib/{batch_{simd128,scalar}_f{64,32},f64,f32,batch_f32,batch_f64,isa,methods,random} tests/lib/bits; do
     case $name in
-    *_simd128_*) flags=-O3 ;;
+    *_simd128_*) flags=-O2 ;;
     *) flags=-O1 ;;
     esac
     printf '%s\n' "$compile $flags -c $tree/$name.c -o $scratch/$(basename "$name").o"
