@@ -7,7 +7,7 @@
  *     b.wo[0] = (lobe_out_f32){ox, 1}; ... b.weight = (lobe_out_f32){w, 1};
  *     lobe_dielectric_sample_many_f32(&b);
  *
- * Rows that are prepared each with `compensate` look up their energy one by one: about 40 ns a row more. */
+ * Rows that are prepared each with `compensate` look up their energy one by one. */
 #ifndef LOBE_DIELECTRIC_BATCH_H
 #define LOBE_DIELECTRIC_BATCH_H
 
