@@ -6,6 +6,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#include <lobe/metrics.h>
 #include <lobe/ssr_frames.h>
 #include <lobe/version.h>
 
@@ -236,13 +237,41 @@ static json_t *pass_times(const lobe_ssr_statistics *st) {
     return times;
 }
 
+/* The pixels with a ray; the others black. */
+static void keep_traced(const ssr_run *run, const float *from, float *to) {
+    const lobe_app_size size = run->values->size;
+    const lobe_ssr_ray *rays = lobe_ssr_rays(run->ssr);
+    for (size_t pixel = 0; pixel < (size_t)size.width * (size_t)size.height; pixel++)
+        if (rays[pixel].state != LOBE_SSR_NO_RAY)
+            memcpy(to + 3 * pixel, from + 3 * pixel, 3 * sizeof *to);
+}
+
+/* LDR-FLIP of the reflections; negative: no memory. */
+static double flip_of(const ssr_run *run) {
+    const lobe_app_size size = run->values->size;
+    const size_t values = 3 * (size_t)size.width * (size_t)size.height;
+    float *seen = calloc(2 * values, sizeof *seen);
+    double flip = -1.0;
+    if (!seen) return flip;
+    float *truth = seen + values;
+    keep_traced(run, lobe_ssr_radiance(run->ssr), seen);
+    keep_traced(run, run->truth.rgb, truth);
+    if (!lobe_flip(seen, truth, size.width, size.height, LOBE_FLIP_LDR, LOBE_FLIP_PIXELS_PER_DEGREE,
+                   NULL, &flip))
+        flip = -1.0;
+    free(seen);
+    return flip;
+}
+
 static json_t *judgement(const ssr_run *run) {
+    const double flip = flip_of(run);
     const lobe_ssr_judgement j =
         lobe_ssr_judge(run->frames, run->ssr, run->truth.rgb, run->truth.on_screen);
-    return json_pack("{so so so so}", "relmse",
+    return json_pack("{so so so so so}", "relmse",
                      j.pixels ? lobe_app_json_number(j.relmse) : json_null(), "relmse_onscreen",
                      j.pixels_onscreen ? lobe_app_json_number(j.relmse_onscreen) : json_null(),
-                     "false_hits", lobe_app_json_number(j.false_hits), "false_misses",
+                     "flip", flip >= 0.0 ? lobe_app_json_number(flip) : json_null(), "false_hits",
+                     lobe_app_json_number(j.false_hits), "false_misses",
                      lobe_app_json_number(j.false_misses));
 }
 
@@ -274,8 +303,19 @@ static lobe_app_status run_frame(ssr_run *run) {
     return LOBE_APP_FAILED;
 }
 
+/* Black pictures are not what somebody asks for. */
+static void warn_without_rays(const ssr_run *run) {
+    size_t frame;
+    json_t *row;
+    json_array_foreach(run->rows, frame,
+                       row) if (json_integer_value(json_object_get(row, "rays")) > 0) return;
+    lobe_app_report("--min-smoothness", "give a smaller one, as 0.4",
+                    "no surface on the screen is so smooth, nothing was traced");
+}
+
 static lobe_app_status finish(ssr_run *run) {
     const ssr_values *v = run->values;
+    warn_without_rays(run);
     const char *method =
         v->mode == LOBE_SSR_VNDF ? lobe_method_name((lobe_method)v->method) : modes[v->mode];
     json_t *stats = json_pack("{si si ss ss ss ss sO}", "width", v->size.width, "height",

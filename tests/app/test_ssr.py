@@ -7,7 +7,7 @@ import tempfile
 import time
 from pathlib import Path
 
-from program import PROGRAM, ProgramTest, main
+from program import PROGRAM, ProgramTest, main, run
 
 SMALL = ["--size", "48x27", "--spp", "1", "--frames", "2"]
 ROUGH = ["--min-smoothness", "0", "--smoothness-fade-start", "0"]
@@ -71,8 +71,9 @@ class SsrTest(ProgramTest):
         second = self.ssr(*ROUGH, "--truth", "--truth-rays", "4")
         self.assertEqual(os.stat(self.folder / "out/truth-0001.exr").st_mtime_ns, written)
         for a, b in zip(first["frames"], second["frames"]):
-            self.assertEqual(set(a["truth"]), {"relmse", "relmse_onscreen", "false_hits",
-                                               "false_misses"})
+            self.assertEqual(set(a["truth"]), {"relmse", "relmse_onscreen", "flip",
+                                               "false_hits", "false_misses"})
+            self.assertTrue(0 < a["truth"]["flip"] < 0.5)
             self.assertEqual(a["truth"], b["truth"])
         self.ssr(*ROUGH, "--truth", "--truth-rays", "4", "--seed", "9")
         self.assertNotEqual((self.folder / "out/truth-0001.exr").read_bytes(), truth)
@@ -83,6 +84,11 @@ class SsrTest(ProgramTest):
         for picture in ("frame-0000.exr", "frame-0001.exr"):
             self.assertEqual((self.folder / "1" / picture).read_bytes(),
                              (self.folder / "3" / picture).read_bytes())
+
+    def test_says_if_nothing_is_smooth_enough(self):
+        result = run("ssr", "cornell", "-o", str(self.folder / "matte"), *SMALL)
+        self.assertEqual(result.returncode, 0)
+        self.assertRegex(result.stderr, rb"\Alobe: --min-smoothness: [ -~]+; [ -~]+\n\Z")
 
     def test_default_reflects_smooth_surfaces_only(self):
         self.assertLess(self.ssr()["frames"][0]["rays"],
