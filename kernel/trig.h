@@ -40,7 +40,7 @@ K_FN real k_cos_eighth(real x) {
 
 /* x with its sign turned where the second last digit of n is 1. */
 K_FN real k_turn_sign(real x, kint n) {
-    kint sign = (n & K_INT(2)) << (K_SIGN_BIT - 1);
+    kint sign = k_shift_up(n & K_INT(2), K_SIGN_BIT - 1);
     return k_from_bits(k_bits(x) ^ sign);
 }
 

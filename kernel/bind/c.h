@@ -90,4 +90,9 @@ K_FN kint k_shift_down(kint bits, int count) {
     return (kint)((kuint)bits >> count);
 }
 
+/* Into the sign, where << of an int is undefined. */
+K_FN kint k_shift_up(kint bits, int count) {
+    return (kint)((kuint)bits << count);
+}
+
 #endif

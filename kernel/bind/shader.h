@@ -88,4 +88,8 @@ K_FN kint k_shift_down(kint bits, kint count) {
     return bits >> count;
 }
 
+K_FN kint k_shift_up(kint bits, kint count) {
+    return bits << count;
+}
+
 #endif
