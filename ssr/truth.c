@@ -2,6 +2,7 @@
 #include <math.h>
 
 #include "frames.h"
+#include "lobe/metrics.h"
 #include "lobe/random.h"
 #include "message.h"
 
@@ -157,7 +158,7 @@ static double squared_error(const float *a, const float *b) {
     double sum = 0.0;
     for (int k = 0; k < 3; k++) {
         const double difference = (double)a[k] - (double)b[k];
-        sum += difference * difference / ((double)b[k] * (double)b[k] + 0.01);
+        sum += difference * difference / lobe_relative_scale((double)b[k]);
     }
     return sum / 3.0;
 }
