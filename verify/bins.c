@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "cubature.h"
+#include "draws.h"
 #include "pilot.h"
 
 /* Halvings of a cell: of what the cubature finds too full, and of what pilot draws do. */
@@ -27,26 +28,39 @@ static double solid_angle(const lobe_verify_chart *chart, double t, double a, do
     return area * chart->direction(chart->self, point, wo);
 }
 
-static void evaluate(const void *self, double t, double a, double values[LOBE_CUBATURE_VALUES]) {
-    const field *f = self;
-    double wo[3];
-    double angle = solid_angle(f->chart, t, a, wo);
-    double density = f->model->density(&f->state, wo);
-    double value = f->model->value(&f->state, wo);
-    double cut = fmin(value, f->cut * density);
-    values[DENSITY] = angle * density;
-    values[VALUE] = angle * value;
-    values[CUT_MEAN] = angle * cut;
-    values[CUT_SQUARE] = density > 0 ? angle * cut * cut / density : 0;
-    values[UNCOVERED] = density > 0 ? 0 : angle * value;
+/* The model at points of its chart. */
+typedef struct sights {
+    double angle[LOBE_CUBATURE_POINTS]; /* solid angle by area of the chart */
+    double density[LOBE_CUBATURE_POINTS], value[LOBE_CUBATURE_POINTS];
+} sights;
+
+static void look(const field *f, int points, const double *t, const double *a, sights *s) {
+    double wo[3 * LOBE_CUBATURE_POINTS];
+    for (int i = 0; i < points; ++i) s->angle[i] = solid_angle(f->chart, t[i], a[i], wo + 3 * i);
+    lobe_evaluate_many(f->model, &f->state, (size_t)points, wo, s->density, s->value);
 }
 
-static void evaluate_density(const void *self, double t, double a,
-                             double values[LOBE_CUBATURE_VALUES]) {
+static void evaluate(const void *self, int points, const double *t, const double *a,
+                     double (*values)[LOBE_CUBATURE_VALUES]) {
     const field *f = self;
-    double wo[3];
-    double angle = solid_angle(f->chart, t, a, wo);
-    values[DENSITY] = angle * f->model->density(&f->state, wo);
+    sights s;
+    look(f, points, t, a, &s);
+    for (int i = 0; i < points; ++i) {
+        const double angle = s.angle[i], density = s.density[i], value = s.value[i];
+        const double cut = fmin(value, f->cut * density);
+        values[i][DENSITY] = angle * density;
+        values[i][VALUE] = angle * value;
+        values[i][CUT_MEAN] = angle * cut;
+        values[i][CUT_SQUARE] = density > 0 ? angle * cut * cut / density : 0;
+        values[i][UNCOVERED] = density > 0 ? 0 : angle * value;
+    }
+}
+
+static void evaluate_density(const void *self, int points, const double *t, const double *a,
+                             double (*values)[LOBE_CUBATURE_VALUES]) {
+    sights s;
+    look(self, points, t, a, &s);
+    for (int i = 0; i < points; ++i) values[i][DENSITY] = s.angle[i] * s.density[i];
 }
 
 /* Cells are numbered sheet by sheet, row by row. */
@@ -214,8 +228,10 @@ static int fill(lobe_bins *bins, const lobe_verify_model *model, const lobe_veri
     filling f = {.model = model, .field = {.model = exact, .cut = bins->cut}};
     exact->prepare(exact->self, model->wi, &f.field.state);
     /* The cut makes a crease, what is not covered a jump: neither needs more than a few digits. */
-    f.integrand =
-        (lobe_integrand){evaluate, &f.field, LOBE_CUBATURE_VALUES, {t, t, 1e3 * t, 1e-5, 1e-5}};
+    f.integrand = (lobe_integrand){.self = &f.field,
+                                   .count = LOBE_CUBATURE_VALUES,
+                                   .tolerance = {t, t, 1e3 * t, 1e-5, 1e-5},
+                                   .evaluate_many = evaluate};
     f.most = 2.0 / ((double)bins->grid * bins->grid);
     f.most_pilot = pilot->crowd;
     f.least_depth = model->pilot_draws > 0 && t < ROUGH_TOLERANCE ? 2 : 0;
@@ -291,7 +307,8 @@ double lobe_density_integral(const lobe_verify_model *model) {
     model->prepare(model->self, model->wi, &f.state);
     int grid = 16;
     double t = model->has_jumps ? 1e-8 : tolerance(model, grid);
-    lobe_integrand integrand = {evaluate_density, &f, 1, {t}};
+    lobe_integrand integrand = {
+        .self = &f, .count = 1, .tolerance = {t}, .evaluate_many = evaluate_density};
     double sum = 0;
     int sheets = lobe_verify_is_sphere(model) ? 2 : 1;
     for (int cell = 0; cell < sheets * grid * grid; ++cell) {

@@ -1,8 +1,10 @@
 #include "cubature.h"
 
 #include <math.h>
+#include <stddef.h>
 
-enum { POINTS = 5, DEPTH = 9 };
+enum { POINTS = 5, MOST_BOXES = 4, DEPTH = 9 };
+_Static_assert(MOST_BOXES *POINTS *POINTS == LOBE_CUBATURE_POINTS, "the quarters of a box");
 
 static const double NODE[POINTS] = {-0.90617984593866399280, -0.53846931010568309104, 0,
                                     0.53846931010568309104, 0.90617984593866399280};
@@ -10,20 +12,37 @@ static const double WEIGHT[POINTS] = {0.23692688505618908751, 0.4786286704993664
                                       0.56888888888888888889, 0.47862867049936646804,
                                       0.23692688505618908751};
 
-static void gauss(const lobe_integrand *integrand, lobe_box box,
-                  double integral[LOBE_CUBATURE_VALUES]) {
-    double half_x = (box.high[0] - box.low[0]) / 2;
-    double half_y = (box.high[1] - box.low[1]) / 2;
-    double values[LOBE_CUBATURE_VALUES];
-    for (int k = 0; k < integrand->count; ++k) integral[k] = 0;
-    for (int i = 0; i < POINTS; ++i) {
-        for (int j = 0; j < POINTS; ++j) {
-            double x = box.low[0] + half_x * (1 + NODE[i]);
-            double y = box.low[1] + half_y * (1 + NODE[j]);
-            integrand->evaluate(integrand->self, x, y, values);
-            double weight = WEIGHT[i] * WEIGHT[j] * half_x * half_y;
-            for (int k = 0; k < integrand->count; ++k) integral[k] += weight * values[k];
-        }
+static void evaluate(const lobe_integrand *integrand, int points, const double *x, const double *y,
+                     double (*values)[LOBE_CUBATURE_VALUES]) {
+    if (integrand->evaluate_many != NULL) {
+        integrand->evaluate_many(integrand->self, points, x, y, values);
+        return;
+    }
+    for (int p = 0; p < points; ++p) integrand->evaluate(integrand->self, x[p], y[p], values[p]);
+}
+
+/* Of so many boxes, all their points at once. */
+static void gauss(const lobe_integrand *integrand, int boxes, const lobe_box *box,
+                  double (*integral)[LOBE_CUBATURE_VALUES]) {
+    double x[MOST_BOXES * POINTS * POINTS], y[MOST_BOXES * POINTS * POINTS];
+    double values[MOST_BOXES * POINTS * POINTS][LOBE_CUBATURE_VALUES];
+    for (int p = 0; p < boxes * POINTS * POINTS; ++p) {
+        const lobe_box *b = &box[p / (POINTS * POINTS)];
+        const double half_x = (b->high[0] - b->low[0]) / 2;
+        const double half_y = (b->high[1] - b->low[1]) / 2;
+        x[p] = b->low[0] + half_x * (1 + NODE[p / POINTS % POINTS]);
+        y[p] = b->low[1] + half_y * (1 + NODE[p % POINTS]);
+    }
+    evaluate(integrand, boxes * POINTS * POINTS, x, y, values);
+    for (int b = 0; b < boxes; ++b)
+        for (int k = 0; k < integrand->count; ++k) integral[b][k] = 0;
+    for (int p = 0; p < boxes * POINTS * POINTS; ++p) {
+        const lobe_box *b = &box[p / (POINTS * POINTS)];
+        const double half_x = (b->high[0] - b->low[0]) / 2;
+        const double half_y = (b->high[1] - b->low[1]) / 2;
+        const double weight = WEIGHT[p / POINTS % POINTS] * WEIGHT[p % POINTS] * half_x * half_y;
+        for (int k = 0; k < integrand->count; ++k)
+            integral[p / (POINTS * POINTS)][k] += weight * values[p][k];
     }
 }
 
@@ -42,8 +61,10 @@ static lobe_box quarter(lobe_box box, int which) {
 /* `integral` comes in as the estimate for the whole box and leaves refined. */
 static void refine(const lobe_integrand *integrand, lobe_box box, int depth, int least_depth,
                    double integral[LOBE_CUBATURE_VALUES]) {
+    lobe_box quarters[4];
     double part[4][LOBE_CUBATURE_VALUES];
-    for (int q = 0; q < 4; ++q) gauss(integrand, quarter(box, q), part[q]);
+    for (int q = 0; q < 4; ++q) quarters[q] = quarter(box, q);
+    gauss(integrand, 4, quarters, part);
     int is_good = depth >= least_depth;
     for (int k = 0; k < integrand->count; ++k) {
         double sum = part[0][k] + part[1][k] + part[2][k] + part[3][k];
@@ -51,7 +72,7 @@ static void refine(const lobe_integrand *integrand, lobe_box box, int depth, int
         is_good &= fabs(sum - integral[k]) <= integrand->tolerance[k] || !isfinite(sum);
     }
     for (int q = 0; q < 4 && !is_good && depth < DEPTH; ++q) {
-        refine(integrand, quarter(box, q), depth + 1, least_depth, part[q]);
+        refine(integrand, quarters[q], depth + 1, least_depth, part[q]);
     }
     for (int k = 0; k < integrand->count; ++k) {
         integral[k] = part[0][k] + part[1][k] + part[2][k] + part[3][k];
@@ -65,6 +86,8 @@ void lobe_cubature(const lobe_integrand *integrand, lobe_box box,
 
 void lobe_cubature_of_edges(const lobe_integrand *integrand, lobe_box box, int least_depth,
                             double integral[LOBE_CUBATURE_VALUES]) {
-    gauss(integrand, box, integral);
+    double whole[1][LOBE_CUBATURE_VALUES];
+    gauss(integrand, 1, &box, whole);
+    for (int k = 0; k < integrand->count; ++k) integral[k] = whole[0][k];
     refine(integrand, box, 0, least_depth, integral);
 }

@@ -3,7 +3,9 @@
 #ifndef LOBE_VERIFY_CUBATURE_H
 #define LOBE_VERIFY_CUBATURE_H
 
+/* Integrands at most, and points that are asked for at once. */
 #define LOBE_CUBATURE_VALUES 5
+#define LOBE_CUBATURE_POINTS 100
 
 /* Several integrands on the same points. */
 typedef struct lobe_integrand {
@@ -11,6 +13,9 @@ typedef struct lobe_integrand {
     const void *self;
     int count;
     double tolerance[LOBE_CUBATURE_VALUES]; /* absolute, for each rectangle that is asked for */
+    /* Instead of `evaluate`, if it is not NULL. */
+    void (*evaluate_many)(const void *self, int points, const double *x, const double *y,
+                          double (*values)[LOBE_CUBATURE_VALUES]);
 } lobe_integrand;
 
 typedef struct lobe_box {

@@ -1,15 +1,26 @@
 #include "dielectric_model.h"
-#include "rounded.h"
 
 #include <float.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
+#include <lobe/dielectric_batch.h>
+
+#include "rounded.h"
+
 /* Of each roughness and of the index. */
 static const double SPECIAL[] = {0.0, FLT_TRUE_MIN, 1e-7, 1e-4,     0.01,    1,        1 + 1e-6,
                                  1.5, 1e3,          -1,   -FLT_MIN, FLT_MAX, INFINITY, NAN};
 enum { SPECIALS = sizeof SPECIAL / sizeof *SPECIAL };
+
+/* Rows that the batches take in one call. */
+enum { PAGE = 256 };
+#define SAMPLE_BATCH NAME(lobe_dielectric_sample_batch)
+#define SAMPLE_MANY NAME(lobe_dielectric_sample_many)
+#define EVAL_BATCH NAME(lobe_dielectric_eval_batch)
+#define EVAL_MANY NAME(lobe_dielectric_eval_many)
+#define TAKE_POINTS(batch, array) ((batch).is_point.data = (array), (batch).is_point.stride = 1)
 
 #define REAL float
 #define NAME(stem) stem##_f32

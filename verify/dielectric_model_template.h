@@ -46,6 +46,8 @@ static lobe_verify_draw NAME(sample)(const lobe_verify_state *state, const doubl
     return draw;
 }
 
+#include "pages_template.h"
+
 static double NAME(density)(const lobe_verify_state *state, const double wo[3]) {
     return NAME(lobe_dielectric_pdf)(NAME(view)(state), NAME(vector)(wo));
 }
@@ -58,6 +60,8 @@ static void NAME(set_functions)(lobe_verify_model *model) {
     model->prepare = NAME(prepare);
     model->prepare_special = NAME(prepare_special);
     model->sample = NAME(sample);
+    model->sample_many = NAME(sample_many);
+    model->evaluate_many = NAME(evaluate_many);
     model->density = NAME(density);
     model->value = NAME(value);
 }

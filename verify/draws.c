@@ -78,3 +78,15 @@ void lobe_draw_many(const lobe_verify_model *model, const lobe_verify_state *sta
     }
     for (size_t i = 0; i < count; ++i) draws[i] = model->sample(state, u + 3 * i);
 }
+
+void lobe_evaluate_many(const lobe_verify_model *model, const lobe_verify_state *state,
+                        size_t count, const double *wo, double *density, double *value) {
+    if (model->evaluate_many != NULL) {
+        model->evaluate_many(state, count, wo, density, value);
+        return;
+    }
+    for (size_t i = 0; i < count; ++i) {
+        density[i] = model->density(state, wo + 3 * i);
+        value[i] = model->value(state, wo + 3 * i);
+    }
+}

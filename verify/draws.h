@@ -1,4 +1,4 @@
-/* Random numbers and draws, many at a time. */
+/* Random numbers, draws and values, many at a time. */
 #ifndef LOBE_VERIFY_DRAWS_H
 #define LOBE_VERIFY_DRAWS_H
 
@@ -16,6 +16,10 @@ void lobe_many_random_numbers(const lobe_verify_model *model, const lobe_setting
 
 void lobe_draw_many(const lobe_verify_model *model, const lobe_verify_state *state, size_t count,
                     const double *u, lobe_verify_draw *draws);
+
+/* Of `count` directions, three numbers each. */
+void lobe_evaluate_many(const lobe_verify_model *model, const lobe_verify_state *state,
+                        size_t count, const double *wo, double *density, double *value);
 
 /* Whether a draw keeps what every model promises: finite, not negative, no weight without a
  * density. */

@@ -38,6 +38,9 @@ typedef struct lobe_verify_model {
      * call each. */
     void (*sample_many)(const lobe_verify_state *state, size_t count, const double *u,
                         lobe_verify_draw *draws);
+    /* `density` and `value` of many directions, bit for bit; NULL: one call each. */
+    void (*evaluate_many)(const lobe_verify_state *state, size_t count, const double *wo,
+                          double *density, double *value);
     lobe_verify_chart chart;              /* where the lobe is spread out */
     lobe_verify_chart below;              /* directions below the surface; all NULL: none */
     int pilot_draws;                      /* that find the lobe on charts that do not know it */

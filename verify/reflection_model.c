@@ -24,8 +24,13 @@ static void direction_at(double theta, double phi, double d[3]) {
     d[2] = theta == 90 ? 0 : cos(theta * degree);
 }
 
-/* Draws that the batch kernels make in one call. */
+/* Rows that the batches take in one call. */
 enum { PAGE = 256 };
+#define SAMPLE_BATCH NAME(lobe_sample_batch)
+#define SAMPLE_MANY NAME(lobe_reflection_sample_batch)
+#define EVAL_BATCH NAME(lobe_eval_batch)
+#define EVAL_MANY NAME(lobe_reflection_eval_batch)
+#define TAKE_POINTS(batch, array) ((void)(batch))
 
 #define REAL float
 #define NAME(stem) stem##_f32

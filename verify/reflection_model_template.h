@@ -45,35 +45,7 @@ static lobe_verify_draw NAME(sample)(const lobe_verify_state *state, const doubl
     return (lobe_verify_draw){{s.wo.x, s.wo.y, s.wo.z}, s.pdf, s.weight};
 }
 
-/* The batch kernels, a page of numbers at a time. */
-static void NAME(sample_page)(const lobe_verify_state *state, size_t count, const double *u,
-                              lobe_verify_draw *draws) {
-    REAL in[3][PAGE], wo[3][PAGE], pdf[PAGE], weight[PAGE];
-    NAME(lobe_sample_batch) batch = {.count = count, .prepared = NAME(view)(state)};
-    for (int k = 0; k < 3; ++k) {
-        for (size_t i = 0; i < count; ++i) in[k][i] = (REAL)u[3 * i + (size_t)k];
-        batch.u[k].data = in[k];
-        batch.u[k].stride = 1;
-        batch.wo[k].data = wo[k];
-        batch.wo[k].stride = 1;
-    }
-    batch.pdf.data = pdf;
-    batch.pdf.stride = 1;
-    batch.weight.data = weight;
-    batch.weight.stride = 1;
-    NAME(lobe_reflection_sample_batch)(&batch);
-    for (size_t i = 0; i < count; ++i) {
-        draws[i] = (lobe_verify_draw){{wo[0][i], wo[1][i], wo[2][i]}, pdf[i], weight[i]};
-    }
-}
-
-static void NAME(sample_many)(const lobe_verify_state *state, size_t count, const double *u,
-                              lobe_verify_draw *draws) {
-    for (size_t done = 0; done < count; done += PAGE) {
-        size_t part = count - done < PAGE ? count - done : PAGE;
-        NAME(sample_page)(state, part, u + 3 * done, draws + done);
-    }
-}
+#include "pages_template.h"
 
 static double NAME(density)(const lobe_verify_state *state, const double wo[3]) {
     return NAME(lobe_reflection_pdf)(NAME(view)(state), NAME(vector)(wo));
@@ -92,6 +64,7 @@ static void NAME(set_functions)(lobe_verify_model *model) {
     model->prepare_special = NAME(prepare_special);
     model->sample = NAME(sample);
     model->sample_many = NAME(sample_many);
+    model->evaluate_many = NAME(evaluate_many);
     model->density = NAME(density);
     model->value = NAME(value);
     lobe_verify_state state;

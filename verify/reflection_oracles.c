@@ -132,7 +132,8 @@ static void normal_albedo_integrand(const void *self, double s, double y,
 
 /* In two parts: at s = 1/3 a V-cavity begins to hide. */
 static double normal_albedo(const surface *s) {
-    lobe_integrand integrand = {normal_albedo_integrand, s, 1, {1e-13}};
+    lobe_integrand integrand = {
+        .evaluate = normal_albedo_integrand, .self = s, .count = 1, .tolerance = {1e-13}};
     double sum[2][LOBE_CUBATURE_VALUES];
     lobe_cubature(&integrand, (lobe_box){{0, 0}, {1.0 / 3, 1}}, sum[0]);
     lobe_cubature(&integrand, (lobe_box){{1.0 / 3, 0}, {1, 1}}, sum[1]);

@@ -18,6 +18,12 @@ static inline void run_engine(const lobe_verify_model *model, const lobe_setting
     assert_true(lobe_verify_model_run(model, settings, &monitor, report, NULL));
 }
 
+/* One call each: a defect that replaces one of them is seen by all tests. */
+static inline void call_one_by_one(lobe_verify_model *model) {
+    model->sample_many = NULL;
+    model->evaluate_many = NULL;
+}
+
 static inline int count_failures(const lobe_report *report) {
     int failures = 0;
     for (int i = 0; i < report->count; ++i) failures += !lobe_report_row_passed(&report->rows[i]);

@@ -95,7 +95,8 @@ static void solid_angle(const void *self, double t, double a, double values[LOBE
 }
 
 static void integrate(const lobe_verify_chart *chart, double integral[LOBE_CUBATURE_VALUES]) {
-    lobe_integrand integrand = {solid_angle, chart, 2, {1e-9, 1e-9}};
+    lobe_integrand integrand = {
+        .evaluate = solid_angle, .self = chart, .count = 2, .tolerance = {1e-9, 1e-9}};
     lobe_cubature(&integrand, (lobe_box){{0, 0}, {1, 1}}, integral);
 }
 

@@ -19,7 +19,7 @@ static void smooth(const void *self, double x, double y, double values[LOBE_CUBA
 
 static void smooth_functions(void **state) {
     (void)state;
-    lobe_integrand integrand = {smooth, NULL, 2, {1e-12, 1e-12}};
+    lobe_integrand integrand = {.evaluate = smooth, .count = 2, .tolerance = {1e-12, 1e-12}};
     double integral[LOBE_CUBATURE_VALUES];
     lobe_cubature(&integrand, (lobe_box){{0, 0}, {2, 1}}, integral);
     assert_true(fabs(integral[0] - 1024.0 / 10 / 9) < 1e-12);
@@ -41,7 +41,7 @@ static double peak_side(double low, double high, double center, double width) {
 static void sharp_peak(void **state) {
     (void)state;
     double width = 1e-2;
-    lobe_integrand integrand = {peak, &width, 1, {1e-15}};
+    lobe_integrand integrand = {.evaluate = peak, .self = &width, .count = 1, .tolerance = {1e-15}};
     double integral[LOBE_CUBATURE_VALUES];
     lobe_cubature(&integrand, (lobe_box){{0, 0}, {1, 1}}, integral);
     double expected = peak_side(0, 1, 0.2345, width) * peak_side(0, 1, 0.6789, width);
@@ -56,7 +56,7 @@ static void disk(const void *self, double x, double y, double values[LOBE_CUBATU
 /* A jump ends at the greatest depth instead of never. */
 static void jump(void **state) {
     (void)state;
-    lobe_integrand integrand = {disk, NULL, 1, {1e-12}};
+    lobe_integrand integrand = {.evaluate = disk, .count = 1, .tolerance = {1e-12}};
     double integral[LOBE_CUBATURE_VALUES];
     lobe_cubature(&integrand, (lobe_box){{0, 0}, {1, 1}}, integral);
     assert_true(fabs(integral[0] - PI / 4) < 1e-4);

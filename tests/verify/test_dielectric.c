@@ -66,6 +66,7 @@ static void wrong_models_are_rejected(void **state) {
     for (int k = 0; k < 2; ++k) {
         lobe_dielectric_subject subject;
         lobe_dielectric_subject_make(&subject, parameters_of(0.4, 1.5, 50), LOBE_PRECISION_F64);
+        call_one_by_one(&subject.model);
         if (k == 0) subject.model.sample = too_many_transmitted;
         if (k == 1) subject.model.density = wrong_jacobian;
         lobe_settings settings = {.draws = 32768,
@@ -147,7 +148,8 @@ static void solid_angle(const void *self, double t, double a, double values[LOBE
 static void the_sphere_is_covered_once(void **state) {
     (void)state;
     lobe_verify_chart sphere = lobe_sphere_chart();
-    lobe_integrand integrand = {solid_angle, &sphere, 2, {1e-9, 1e-9}};
+    lobe_integrand integrand = {
+        .evaluate = solid_angle, .self = &sphere, .count = 2, .tolerance = {1e-9, 1e-9}};
     double integral[LOBE_CUBATURE_VALUES];
     lobe_cubature(&integrand, (lobe_box){{0, 0}, {1, 1}}, integral);
     assert_true(fabs(integral[0] - 4 * PI) < 1e-7);

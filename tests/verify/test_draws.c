@@ -1,4 +1,4 @@
-/* tests/verify/test_draws.c: many random numbers and draws are those of one at a time. */
+/* tests/verify/test_draws.c: many random numbers, draws and values are those of one at a time. */
 #include <float.h>
 #include <math.h>
 #include <setjmp.h>
@@ -6,9 +6,11 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <stdlib.h>
+#include <string.h>
 #include <cmocka.h>
 
 #include "tests/verify/support.h"
+#include "verify/dielectric_model.h"
 #include "verify/draws.h"
 #include "verify/tally.h"
 
@@ -72,8 +74,32 @@ static void batches_are_used(void **state) {
     lobe_bins_free(&bins);
 }
 
-/* The library's batches give the bits of its single draws. */
-static void batches_are_the_draws(void **state) {
+static void compare_with_batches(const lobe_verify_model *model) {
+    static double u[3 * COUNT], wo[3 * COUNT], density[COUNT], value[COUNT];
+    static lobe_verify_draw draws[COUNT];
+    lobe_verify_state prepared;
+    model->prepare(model->self, model->wi, &prepared);
+    const lobe_settings settings = lobe_level_settings(LOBE_VERIFY_QUICK);
+    lobe_many_random_numbers(model, &settings, 0, COUNT, u);
+    assert_non_null(model->sample_many);
+    lobe_draw_many(model, &prepared, COUNT, u, draws);
+    for (int i = 0; i < COUNT; ++i) {
+        const lobe_verify_draw one = model->sample(&prepared, u + 3 * i);
+        assert_memory_equal(&one, &draws[i], sizeof one);
+        memcpy(wo + 3 * i, one.wo, sizeof one.wo);
+    }
+    assert_non_null(model->evaluate_many);
+    lobe_evaluate_many(model, &prepared, COUNT, wo, density, value);
+    for (int i = 0; i < COUNT; ++i) {
+        const double d = model->density(&prepared, wo + 3 * i);
+        const double v = model->value(&prepared, wo + 3 * i);
+        assert_memory_equal(&d, &density[i], sizeof d);
+        assert_memory_equal(&v, &value[i], sizeof v);
+    }
+}
+
+/* The library's batches give the bits of its single calls. */
+static void batches_are_the_calls(void **state) {
     (void)state;
     for (int row = 0; row < lobe_model_count(); ++row) {
         for (int precision = 0; precision < LOBE_PRECISION_COUNT; ++precision) {
@@ -81,18 +107,21 @@ static void batches_are_the_draws(void **state) {
                 ggx_parameters(LOBE_METHOD_CAPS, 0.3, 0.8, 75, 40);
             parameters.options.model = lobe_model_at(row);
             lobe_reflection_subject_make(&subject, parameters, (lobe_precision)precision);
-            lobe_verify_state prepared;
-            subject.model.prepare(subject.model.self, subject.model.wi, &prepared);
-            lobe_settings settings = lobe_level_settings(LOBE_VERIFY_QUICK);
-            static double u[3 * COUNT];
-            static lobe_verify_draw draws[COUNT];
-            lobe_many_random_numbers(&subject.model, &settings, 0, COUNT, u);
-            lobe_draw_many(&subject.model, &prepared, COUNT, u, draws);
-            for (int i = 0; i < COUNT; ++i) {
-                lobe_verify_draw one = subject.model.sample(&prepared, u + 3 * i);
-                assert_memory_equal(&one, &draws[i], sizeof one);
-            }
+            compare_with_batches(&subject.model);
         }
+    }
+}
+
+/* A thin wall, too, whose transmission is a point mass. */
+static void batches_are_the_calls_of_dielectrics(void **state) {
+    (void)state;
+    for (int k = 0; k < 2 * LOBE_PRECISION_COUNT; ++k) {
+        lobe_dielectric_parameters parameters = {
+            lobe_dielectric_default_options(), 0.3, 0.8, 1.5, 60, 40};
+        parameters.options.thin = k % 2;
+        lobe_dielectric_subject glass;
+        lobe_dielectric_subject_make(&glass, parameters, (lobe_precision)(k / 2));
+        compare_with_batches(&glass.model);
     }
 }
 
@@ -165,7 +194,8 @@ static void pilot_draws_find_a_narrow_lobe(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(numbers_agree),
                                        cmocka_unit_test(batches_are_used),
-                                       cmocka_unit_test(batches_are_the_draws),
+                                       cmocka_unit_test(batches_are_the_calls),
+                                       cmocka_unit_test(batches_are_the_calls_of_dielectrics),
                                        cmocka_unit_test(soundness_is_what_every_draw_promises),
                                        cmocka_unit_test(pilot_draws_find_a_narrow_lobe)};
     return cmocka_run_group_tests(tests, NULL, NULL);

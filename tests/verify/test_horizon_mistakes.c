@@ -120,7 +120,7 @@ static void check(const mistake *m, int is_made, lobe_report *report) {
     parameters.options.floor = SAMPLERS_FLOOR;
     lobe_reflection_subject_make(&right, parameters, LOBE_PRECISION_F64);
     lobe_verify_model model = right.model;
-    model.sample_many = NULL;
+    call_one_by_one(&model);
     if (is_made) {
         model.density = m->density;
         told = m->density;
