@@ -2,7 +2,7 @@
 """measure.py [--quick] [--peer PYTHON]: measures this processor, writes bench/results/NAME.json and the tables of
 docs/performance.md.
 
-Needs a release build (make) and builds bench_sweep beside it. Counts of instructions are taken if valgrind is
+Needs a release build (make) and builds bench_sweep and bench_inline beside it. Counts of instructions are taken if valgrind is
 installed; those of AVX-512 are not, valgrind does not know it. --peer names a Python that has mitsuba
 (bench/peers/mitsuba_peer.py).
 """
@@ -44,13 +44,15 @@ def instructions(method, isa):
 
 
 def measure(quick, peer):
-    subprocess.run(["cmake", "--build", BUILD, "--target", "bench_sweep"], check=True,
+    subprocess.run(["cmake", "--build", BUILD, "--target", "bench_sweep", "bench_inline"], check=True,
                    stdout=subprocess.DEVNULL)
     sweep = BUILD / "bench_sweep"
     result = {"command": "bench/measure.py" + (" --quick" if quick else "")}
     result["bench"] = json.loads(output(BUILD / "lobe", "bench", "--json", *(["--quick"] if quick else [])))
     for name in ("sizes", "angles", "stream"):
         result[name] = {m: numbers(output(sweep, name, m)) for m in METHODS}
+    result["inline"] = {line.split()[0]: [float(ns) for ns in line.split()[1:]]
+                        for line in output(BUILD / "bench_inline").splitlines()}
     if shutil.which("valgrind"):
         result["instructions"] = {m: {isa: instructions(m, isa) for isa in ("scalar", "sse4.1", "avx2")}
                                   for m in COUNTED}
@@ -81,7 +83,7 @@ def smith(method):
     return ("ggx", "smith", method)
 
 
-def targets(rows, widest, stream):
+def targets(rows, widest, stream, inline):
     """What issue and documentation promise, and what came out."""
     lines = []
 
@@ -108,8 +110,8 @@ def targets(rows, widest, stream):
     for method in ("bounded", "caps"):
         line(f"{method}, f64 against f32, {widest}, each", 2.4,
              rows.get(smith(method), widest, "each", "f64") / rows.get(smith(method), widest, "each"), False)
-        line(f"{method}, one call a draw against scalar batch, each", 1.2,
-             rows.get(smith(method), "call", "each") / rows.get(smith(method), "scalar", "each"), False)
+        inlined, _, batch = inline[method]
+        line(f"{method}, one inlined call a draw (single file) against scalar batch, each", 1.2, inlined / batch, False)
     return table(["what", "target", "measured", "met"], lines)
 
 
@@ -156,7 +158,7 @@ def write_tables(result, page):
     report = result["bench"]
     parts = {"machine": f"{report['cpu']}; sets: {', '.join(rows.sets[1:])}; copies "
                         f"{report['copy_bytes_per_second'] / 1e9:.1f} GB/s on one thread.",
-             "targets": targets(rows, widest, result["stream"]), "methods": methods(rows, widest),
+             "targets": targets(rows, widest, result["stream"], result["inline"]), "methods": methods(rows, widest),
              "sizes": sizes(result), "angles": angles(result), "instructions": counts(result)}
     if "peer" in result:
         parts["peer"] = result["peer"].strip()

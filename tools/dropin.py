@@ -109,6 +109,11 @@ def prefixed(text):
     return "".join(code)
 
 
+INLINE = """/* Always: a state passed by value costs more than what is computed with it. */
+#define LOBE_INLINE static inline __attribute__((always_inline))
+
+"""
+
 USE = """ *
  *     {v3} wi = lobe_v3_of(x, y, z);                                  // unit
  *     {options} o = lobe_facet_options_of(false, false);
@@ -144,8 +149,9 @@ def main():
             "the reflected direction, both away\n * from the surface; alpha = perceptual roughness "
             "squared; u in [0, 1).\n" + use(arguments.kernels[0]) + " */\n")
     if arguments.language == "c":
+        text = re.sub("^static inline ", "LOBE_INLINE ", text, flags=re.M)
         head += ("#ifndef LOBE_DROPIN_H\n#define LOBE_DROPIN_H\n\n#include <stdbool.h>\n"
-                 "#include <stdint.h>\n#include <string.h>\n\n")
+                 "#include <stdint.h>\n#include <string.h>\n\n" + INLINE)
         text += "\n#endif\n"
     sys.stdout.write(head + text)
 
