@@ -61,10 +61,9 @@ static json_t *ratio(double value) {
 static void keep_row(bench_run *run, const lobe_bench_row *row) {
     json_array_append_new(
         run->rows,
-        json_pack("{ss ss ss ss ss ss so so so so so}", "ndf", lobe_ndf_name(row->model.ndf),
-                  "masking", lobe_masking_name(row->model.masking), "method",
-                  lobe_method_name(row->model.method), "isa", row->isa, "precision", row->precision,
-                  "prepared", row->prepared, "ns", lobe_app_json_number(row->ns), "ns_pdf",
+        json_pack("{ss ss ss ss ss ss so so so so so}", "ndf", row->ndf, "masking", row->masking,
+                  "method", row->method, "isa", row->isa, "precision", row->precision, "prepared",
+                  row->prepared, "ns", lobe_app_json_number(row->ns), "ns_pdf",
                   lobe_app_json_number(row->ns_pdf), "spread", lobe_app_json_number(row->spread),
                   "listing", ratio(row->listing), "stream", ratio(row->stream)));
 }
@@ -82,10 +81,9 @@ static void print_row(bench_run *run, const lobe_bench_row *row) {
                        "method", "isa", "prec", "prep", "ns", "ns pdf", "spread", "listing",
                        "stream");
     run->has_header = true;
-    lobe_app_print("%-10s %-8s %-18s %-7s %-4s %-7s %8.2f %8.2f %7.0f%%",
-                   lobe_ndf_name(row->model.ndf), lobe_masking_name(row->model.masking),
-                   lobe_method_name(row->model.method), row->isa, row->precision, row->prepared,
-                   row->ns, row->ns_pdf, 100 * row->spread);
+    lobe_app_print("%-10s %-8s %-18s %-7s %-4s %-7s %8.2f %8.2f %7.0f%%", row->ndf, row->masking,
+                   row->method, row->isa, row->precision, row->prepared, row->ns, row->ns_pdf,
+                   100 * row->spread);
     print_ratio(row->listing);
     print_ratio(row->stream);
     lobe_app_print("\n");

@@ -46,12 +46,16 @@ static const char *isa_name(const work *w) {
     return w->isa ? w->isa : "call";
 }
 
+static const char *method_name(const work *w) {
+    return w->is_glass ? "dielectric" : lobe_method_name(w->options.model.method);
+}
+
 static int is_chosen(const char *only, const work *w) {
     if (only == NULL) return 1;
     char title[TITLE_ROOM], pattern[PATTERN_ROOM];
     lobe_model m = w->options.model;
     snprintf(title, sizeof title, "%s %s %s %s %s %s", lobe_ndf_name(m.ndf),
-             lobe_masking_name(m.masking), lobe_method_name(m.method), isa_name(w),
+             lobe_masking_name(m.masking), method_name(w), isa_name(w),
              precision_names[w->precision], prepared_name(w));
     if (strlen(only) >= PATTERN_ROOM - 2) return 0;
     snprintf(pattern, sizeof pattern, "*%s*", only);
@@ -63,26 +67,34 @@ static lobe_vec3_f64 plane_of(const lobe_bench_options *o) {
     return g.x == 0 && g.y == 0 && g.z == 0 ? up : g;
 }
 
-/* Batches have no geometric normals of their own for every row. */
+/* Batches have no geometric normals of their own for every row; dielectrics have none at all. */
 static int exists(const work *w) {
+    if (w->is_glass) return w->plane.z >= 1;
     return w->is_shared || w->isa == NULL || w->plane.z >= 1;
 }
 
 static int choose_rows(run *r) {
     int sets = 1; /* single calls, then every instruction set */
     while (lobe_isa_at(sets - 1)) ++sets;
-    int all = lobe_model_count() * sets * PRECISIONS * 2;
+    int models = lobe_model_count() + 1; /* glass is the last */
+    int all = models * sets * PRECISIONS * 2;
     r->rows = calloc((size_t)all, sizeof *r->rows);
     if (r->rows == NULL) return 0;
     for (int i = 0; i < all; ++i) {
-        work w = {lobe_reflection_default_options(), (precision)(i / 2 % PRECISIONS), i % 2 == 0,
-                  lobe_isa_at(i / 2 / PRECISIONS % sets - 1), plane_of(r->options)};
-        w.options.model = lobe_model_at(i / 2 / PRECISIONS / sets);
+        int model = i / 2 / PRECISIONS / sets;
+        work w = {.options = lobe_reflection_default_options(),
+                  .is_glass = model == models - 1,
+                  .precision = (precision)(i / 2 % PRECISIONS),
+                  .is_shared = i % 2 == 0,
+                  .isa = lobe_isa_at(i / 2 / PRECISIONS % sets - 1),
+                  .plane = plane_of(r->options)};
+        if (!w.is_glass) w.options.model = lobe_model_at(model);
         if (r->options->floor >= 0) w.options.floor = r->options->floor;
         if (!exists(&w) || !is_chosen(r->options->only, &w)) continue;
         timed_row *row = &r->rows[r->count++];
         row->work = w;
-        if (w.precision == PRECISION_F32) row->published = lobe_listing_of(w.options.model);
+        if (w.precision == PRECISION_F32 && !w.is_glass)
+            row->published = lobe_listing_of(w.options.model);
     }
     return 1;
 }
@@ -153,7 +165,9 @@ static double median(run *r, timed_row *row, loop which) {
 }
 
 static void report(run *r, timed_row *row) {
-    lobe_bench_row out = {.model = row->work.options.model,
+    lobe_bench_row out = {.ndf = lobe_ndf_name(row->work.options.model.ndf),
+                          .masking = lobe_masking_name(row->work.options.model.masking),
+                          .method = method_name(&row->work),
                           .isa = isa_name(&row->work),
                           .precision = precision_names[row->work.precision],
                           .prepared = prepared_name(&row->work)};

@@ -1,6 +1,7 @@
 #include "work.h"
 
 #include <lobe/batch.h>
+#include <lobe/dielectric_batch.h>
 
 #define REAL float
 #define NAME(stem) stem##_f32
@@ -10,11 +11,27 @@
 #define NAME(stem) stem##_f64
 #include "work_template.h"
 
+static const double GLASS = 1.5;
+
+#define REAL float
+#define NAME(stem) stem##_f32
+#include "dielectric_template.h"
+
+#define REAL double
+#define NAME(stem) stem##_f64
+#include "dielectric_template.h"
+
 double work_draw(const work *w, inputs *in) {
+    if (w->is_glass)
+        return w->precision == PRECISION_F32 ? glass_draw_f32(w, &in->f32)
+                                             : glass_draw_f64(w, &in->f64);
     return w->precision == PRECISION_F32 ? draw_f32(w, &in->f32) : draw_f64(w, &in->f64);
 }
 
 double work_pdf(const work *w, inputs *in) {
+    if (w->is_glass)
+        return w->precision == PRECISION_F32 ? glass_pdf_f32(w, &in->f32)
+                                             : glass_pdf_f64(w, &in->f64);
     return w->precision == PRECISION_F32 ? pdf_f32(w, &in->f32) : pdf_f64(w, &in->f64);
 }
 

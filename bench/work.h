@@ -13,6 +13,7 @@ typedef enum precision { PRECISION_F32, PRECISION_F64, PRECISIONS } precision;
 /* What is timed: draws or densities of one model. */
 typedef struct work {
     lobe_reflection_options options;
+    int is_glass; /* instead of options: a rough dielectric of index 1.5 */
     precision precision;
     int is_shared;       /* prepared once */
     const char *isa;     /* of the batches; NULL: one call a row */

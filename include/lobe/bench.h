@@ -1,6 +1,6 @@
 /* lobe/bench.h: what a draw costs, against what a user would otherwise run. liblobe_bench.
  *
- * Times every model of LOBE_MODELS in nanoseconds a draw, in one run with what it is compared to: the
+ * Times every model of LOBE_MODELS and the rough dielectric in nanoseconds a draw, in one run with what it is compared to: the
  * published listing of the same method in plain C with libm, and the time in which this machine copies
  * the bytes that a draw reads and writes. The rounds go over all rows again and again, so that a slow
  * moment of the machine meets every row alike; what is reported is the median over the rounds. */
@@ -15,7 +15,8 @@ LOBE_BEGIN_C
 
 /* One row. Ratios are 0 where there is nothing to compare with. */
 typedef struct lobe_bench_row {
-    lobe_model model;
+    const char *ndf, *masking; /* as lobe_ndf_name and lobe_masking_name have them */
+    const char *method;    /* as lobe_method_name; "dielectric": a rough dielectric of index 1.5 */
     const char *isa;       /* of lobe/batch.h: "scalar", "avx2", ...; "call": one call a draw */
     const char *precision; /* "f32", "f64" */
     const char *prepared;  /* "shared": once for all draws; "each": for every draw */
@@ -39,8 +40,10 @@ typedef struct lobe_bench_options {
      * are left out. */
     lobe_vec3_f64 geometric_normal;
     void *user;
-    void (*on_row)(void *user, const lobe_bench_row *row); /* in the order of LOBE_MODELS */
-    int (*on_progress)(void *user, double share);          /* not 0: stop */
+    void (*on_row)(
+        void *user,
+        const lobe_bench_row *row); /* in the order of LOBE_MODELS, the dielectric last */
+    int (*on_progress)(void *user, double share); /* not 0: stop */
 } lobe_bench_options;
 
 typedef enum lobe_bench_result {

@@ -24,6 +24,15 @@ class BenchTest(ProgramTest):
             self.assertGreater(row["stream"], 0)
             self.assertEqual(row["listing"] is not None, row["precision"] == "f32")
 
+    def test_dielectric(self):
+        rows = self.bench("--only", "dielectric")["rows"]
+        sets = list(dict.fromkeys(row["isa"] for row in rows))
+        self.assertEqual(len(rows), 4 * len(sets))
+        for row in rows:
+            self.assertEqual((row["ndf"], row["masking"], row["method"]), ("ggx", "smith", "dielectric"))
+            self.assertGreater(row["ns"], 0)
+            self.assertIsNone(row["listing"])
+
     def test_table(self):
         lines = self.done("bench", "--quick", "--only", "caps call f64 each").decode().splitlines()
         self.assertEqual(lines[0].split()[:3], ["ndf", "masking", "method"])
