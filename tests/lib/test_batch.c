@@ -9,14 +9,13 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/mman.h>
-#include <unistd.h>
 #include <cmocka.h>
 
 #include <lobe/batch.h>
 #include <lobe/random.h>
 
 #include "cases.h"
+#include "fence.h"
 
 #define REAL float
 #define NAME(stem) stem##_f32
@@ -58,6 +57,12 @@ static void nothing_is_touched_outside(void **state) {
     guarded_f64();
 }
 
+static void built_in_random_numbers(void **state) {
+    (void)state;
+    own_numbers_f32();
+    own_numbers_f64();
+}
+
 static void accepted_rows_in_order(void **state) {
     (void)state;
     const float pdf[] = {0, 1, 2, 0, 0, 3, 0};
@@ -91,6 +96,7 @@ int main(void) {
         cmocka_unit_test(every_length_and_alignment),
         cmocka_unit_test(strides_and_arrays_used_twice),
         cmocka_unit_test(nothing_is_touched_outside),
+        cmocka_unit_test(built_in_random_numbers),
         cmocka_unit_test(accepted_rows_in_order),
         cmocka_unit_test(an_instruction_set_can_be_chosen)};
     return cmocka_run_group_tests(tests, NULL, NULL);
