@@ -192,53 +192,49 @@ static double along_stretch(const integrand *q, ray c, stretch r) {
     return sum * v.length * v.scale;
 }
 
-/* Where G2 of a V-cavity turns: changes of sign of
- *   0  2 m_z |i_z| = i.m    1  2 m_z o_z = i.m    2  |i_z| = o_z */
-static double crease_at(ray c, double i_z, double rho, int kind) {
+/* (4 m_z^2 - 1) i.m - 2 m_z i_z of the normal at rho, over m_z^3: 0 where 2 m_z o_z = i.m. */
+static double crease_at(ray c, double i_z, double rho) {
     const double along = i_z + c.b * rho, inv_mz2 = 1.0 + c.a * rho * rho;
-    if (kind == 0) return along * inv_mz2 - 2.0 * k_abs(i_z);
-    if (kind == 1) return (4.0 - inv_mz2) * along - 2.0 * i_z * inv_mz2;
-    return 2.0 * along - inv_mz2 * (i_z + k_abs(i_z));
+    return (4.0 - inv_mz2) * along - 2.0 * i_z * inv_mz2;
 }
 
-static double crease_between(ray c, double i_z, double low, double high, int kind) {
+/* It has one root, along any ray, where i is reflected above the surface: with h = atan(c.i/(|c| i_z)) at
+ * tan(theta) = |c| rho, theta = (pi/2 + h)/3, for i_z < 0 pi/2 - |h|/3. Found by halving `place`,
+ * |c| rho = place/(1 - place); the end of the stretch where that does not have it. */
+static double crease_in(ray c, double i_z, stretch r) {
     enum { HALVINGS = 52 };
-    const bool rises = crease_at(c, i_z, low, kind) < 0.0;
+    const double unit = k_sqrt(c.a), first = unit * k_sqrt(r.first2), last = unit * k_sqrt(r.last2);
+    double low = first / (1.0 + first), high = last / (1.0 + last);
     for (int k = 0; k < HALVINGS; ++k) {
         const double middle = 0.5 * (low + high);
-        if ((crease_at(c, i_z, middle, kind) < 0.0) == rises)
+        if (crease_at(c, i_z, middle / ((1.0 - middle) * unit)) > 0.0)
             low = middle;
         else
             high = middle;
     }
-    return 0.5 * (low + high);
+    return 0.5 * (low + high) / (k_max(1.0 - high, K_EPS) * unit);
 }
 
-enum { SCAN = 12, CREASES_MAX = 3 * SCAN };
+enum { CREASES = 3 };
 
-/* The pieces of a stretch between them. */
-static int find_creases(const integrand *q, ray c, stretch r, stretch pieces[CREASES_MAX + 1]) {
-    const variable v = variable_of(q, r);
-    const double i_z = q->base.wi.z;
-    double rho[CREASES_MAX];
+/* Where G2 of a V-cavity turns, and with it the pieces of a stretch:
+ *   2 m_z |i_z| = i.m    2 m_z o_z = i.m    |i_z| = o_z */
+static int find_creases(const integrand *q, ray c, stretch r, stretch pieces[CREASES + 1]) {
+    const double i_z = q->base.wi.z, masked = 2.0 * k_abs(i_z) - i_z;
+    double found[CREASES], rho[CREASES];
     int count = 0;
-    for (int kind = 0; kind < 3; ++kind) {
-        double low = k_sqrt(r.first2);
-        for (int k = 1; k <= SCAN; ++k) {
-            const double high =
-                k_sqrt(k_min(rho2_at(v, (double)k / SCAN, 1.0 - (double)k / SCAN), r.last2));
-            if ((crease_at(c, i_z, low, kind) < 0.0) != (crease_at(c, i_z, high, kind) < 0.0)) {
-                const double found = crease_between(c, i_z, low, high, kind);
-                int place = count++;
-                for (; place > 0 && rho[place - 1] > found; --place) rho[place] = rho[place - 1];
-                rho[place] = found;
-            }
-            low = high;
-        }
+    found[0] = crease_in(c, i_z, r);
+    found[1] = c.b > 0.0 ? masked / c.b : 0.0;
+    found[2] = c.b > 0.0 && i_z > 0.0 ? c.b / (c.a * i_z) : 0.0;
+    for (int k = 0; k < CREASES; ++k) {
+        if (!(found[k] * found[k] > r.first2 && found[k] * found[k] < r.last2)) continue;
+        int place = count++;
+        for (; place > 0 && rho[place - 1] > found[k]; --place) rho[place] = rho[place - 1];
+        rho[place] = found[k];
     }
     double first2 = r.first2;
     for (int k = 0; k < count; ++k) {
-        const double next2 = k_min(k_max(rho[k] * rho[k], first2), r.last2);
+        const double next2 = rho[k] * rho[k];
         pieces[k] = (stretch){first2, next2};
         first2 = next2;
     }
@@ -256,7 +252,7 @@ static double along_ray(const integrand *q, double cosine, double sine) {
     if (q->has_plane) r = above_plane(q, c, r);
     if (!(r.last2 > r.first2)) return 0.0;
     if (q->family == GGX_SMITH || q->family == BECKMANN_SMITH) return along_stretch(q, c, r);
-    stretch pieces[CREASES_MAX + 1];
+    stretch pieces[CREASES + 1];
     const int count = find_creases(q, c, r, pieces);
     double sum = 0.0;
     for (int k = 0; k < count; ++k)
@@ -329,10 +325,10 @@ static double around(const integrand *q) {
     return sum * q->stride * q->stride * (symmetric ? K_INV_PI : 0.5 * K_INV_PI);
 }
 
-/* ---- Above a geometric plane ----------------------------------------------------------------- */
+/* ---- Above a geometric plane, and V-cavities ------------------------------------------------- */
 
 /* Unit vectors in the plane where D is round, by angle; between two the integral along a ray is smooth. */
-enum { TURNS_MAX = 16 };
+enum { TURNS_MAX = 20 };
 
 typedef struct turns {
     facet_azimuth at[TURNS_MAX];
@@ -410,6 +406,29 @@ static void add_deep(turns *t, const integrand *q) {
     add_turn(t, c * p.x + s * p.y, c * p.y - s * p.x);
 }
 
+/* The two rays, if any, on which c.i/(|c| i_z) is `tangent`: a quadratic form is zero there too. */
+static void add_order(turns *t, const integrand *q, double tangent) {
+    const double ax = q->base.ax, ay = q->base.ay, level = tangent * q->base.wi.z;
+    const double x = ax * q->base.wi.x, y = ay * q->base.wi.y, xy = x * y;
+    const double xx = x * x - level * level * ax * ax, yy = y * y - level * level * ay * ay;
+    const double square = xy * xy - xx * yy;
+    if (!(square > 0.0)) return;
+    const double sum = -(xy + (xy < 0.0 ? -k_sqrt(square) : k_sqrt(square)));
+    const double first = sum * x + xx * y < 0.0 ? -1.0 : 1.0;
+    const double second = yy * x + sum * y < 0.0 ? -1.0 : 1.0;
+    add_turn(t, first * sum, first * xx);
+    add_turn(t, second * yy, second * sum);
+}
+
+/* Above, the creases of V-cavities change their order where c.i = |c| i_z, and the first one leaves what reflects i
+ * above the surface at 1/sqrt(3) of that. */
+static void add_orders(turns *t, const integrand *q) {
+    const bool is_vcavity = q->family == GGX_VCAVITY || q->family == BECKMANN_VCAVITY;
+    if (!is_vcavity || !(q->base.wi.z > 0.0)) return;
+    add_order(t, q, 1.0);
+    add_order(t, q, 0.57735026918962576451);
+}
+
 static double around_above(const integrand *q) {
     turns t;
     t.count = 0;
@@ -417,9 +436,27 @@ static double around_above(const integrand *q) {
     add_deep(&t, q);
     add_corners(&t, q);
     add_tangents(&t, q);
+    add_orders(&t, q);
     double sum = 0.0;
     for (int k = 0; k < t.count; ++k) sum += between(q, t.at[k], t.at[(k + 1) % t.count]);
     return sum * q->stride * q->stride * 0.5 * K_INV_PI;
+}
+
+/* The same without a plane. */
+static double around_vcavity(const integrand *q) {
+    turns t;
+    t.count = 0;
+    add_quarters(&t, q);
+    add_orders(&t, q);
+    const bool symmetric = is_symmetric(q);
+    const facet_azimuth to_i = azimuth_of(q);
+    double sum = 0.0;
+    for (int k = 0; k < t.count; ++k) {
+        const facet_azimuth p = t.at[k], r = t.at[(k + 1) % t.count];
+        const double side = to_i.x * (p.y + r.y) - to_i.y * (p.x + r.x);
+        if (!symmetric || side > 0.0) sum += between(q, p, r);
+    }
+    return sum * q->stride * q->stride * (symmetric ? K_INV_PI : 0.5 * K_INV_PI);
 }
 
 /* ---- Entrances ------------------------------------------------------------------------------- */
@@ -476,7 +513,10 @@ double lobe_albedo(lobe_microsurface s, lobe_reflectance f, lobe_vec3_f64 wi, lo
     if (!q.base.valid) return not_a_number();
     if (q.base.mirror) return wi.z > 0.0 ? lobe_reflectance_at(f, wi.z) : 0.0;
     const bool is_beckmann = s.ndf == LOBE_NDF_BECKMANN;
-    return is_beckmann && q.beckmann.shift > 1.0 ? around_deep(&q) : around(&q);
+    if (is_beckmann && q.beckmann.shift > 1.0) return around_deep(&q);
+    return s.masking == LOBE_MASKING_VCAVITY && wi.z > 0.0 && effort != LOBE_EFFORT_COARSE
+               ? around_vcavity(&q)
+               : around(&q);
 }
 
 double lobe_albedo_above(lobe_microsurface s, lobe_reflectance f, lobe_vec3_f64 wi,

@@ -42,8 +42,8 @@ typedef struct lobe_microsurface {
 
 /* By quadrature in double, for every distribution, masking and G2 there is. The largest error seen for
  * roughness and |cosine| from 1e-3 to 1 and ratios of the roughness to 10:1, wi above, and on one core,
- * for Smith-GGX. Beckmann above the surface: the same, 6 times as long; below 3e-2, 1e-4. V-cavities, whose
- * G2 has creases: 3e-3, 2e-4, 5e-5 (below 1e-2, 2e-3), 5 times as long. */
+ * for Smith-GGX. Beckmann above the surface: the same, 6 times as long; below 3e-2, 1.4e-4. V-cavities,
+ * integrated between the creases of G2: 2e-3, 4e-5, 1e-6 (Beckmann below as with Smith), 10 times as long. */
 typedef enum lobe_effort {
     LOBE_EFFORT_COARSE, /* 4e-3 with F = 1, 6e-4 with a dielectric; 0.03 ms */
     LOBE_EFFORT_MEDIUM, /* 3e-5, equal roughnesses 6e-6; 0.2 ms, 0.06 ms */

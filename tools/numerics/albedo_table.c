@@ -1,104 +1,167 @@
 /* tools/numerics/albedo_table.c: lib/albedo_table.inc, the tables of albedos for F = 1, by quadrature.
  *
- *     cc -O2 -fopenmp -Iinclude -I. tools/numerics/albedo_table.c build/liblobe.a -lm -o albedo_table
- *     ./albedo_table > albedo_table.inc && mv albedo_table.inc lib/      # six minutes of processor time
+ *     cc -O2 -ffp-contract=off -Iinclude -I. tools/numerics/albedo_table.c -lm -o albedo_table
+ *     ./albedo_table > albedo_table.inc && mv albedo_table.inc lib/      # 12 seconds of processor time
  *
- * The layout is that of lib/albedo_table.h. */
-#include "kernel/bind/c_f64.h"
+ * The same bytes from every compiler and on every machine; `house.tables` compares them. The layout is that of
+ * lib/albedo_table.h. */
+#include "albedo_rays.h"
 
 #include "lib/albedo_table.h"
 
-#include "lobe/albedo.h"
-
-#include <math.h>
 #include <stdio.h>
 #include <string.h>
+
+/* Nodes enough for 1e-6 of E in the round tables and 7e-5 in the others, a tenth of what interpolation leaves. */
+typedef struct maker {
+    rays fine, fast;
+} maker;
+
+static maker maker_of(lobe_ndf ndf, lobe_masking masking) {
+    const int is_vcavity = masking == LOBE_MASKING_VCAVITY, is_ggx = ndf == LOBE_NDF_GGX;
+    maker m;
+    m.fine = rays_of(ndf, masking, 24, 16, 24);
+    m.fast = is_vcavity ? rays_of(ndf, masking, 12, 6, 12)
+                        : rays_of(ndf, masking, is_ggx ? 16 : 18, is_ggx ? 8 : 12, 12);
+    return m;
+}
+
+/* 1 - E at a cosine; square roots of the roughnesses, x2 = cos^2 of the azimuth. */
+static both missing(rays *q, double root_x, double root_y, double mu, double x2) {
+    const double plane = k_sqrt(k_max(1 - mu * mu, 0));
+    rays_toward(q, v3_of(plane * k_sqrt(x2), plane * k_sqrt(1 - x2), mu), root_x * root_x,
+                root_y * root_y);
+    both b = rays_missing(q);
+    for (int g2 = 0; g2 < 2; ++g2) b.of[g2] = k_max(b.of[g2], 0);
+    return b;
+}
+
+static double mu_of(int column, int count, double root) {
+    /* at the horizon the limit from above */
+    return k_max(albedo_column_inverse((double)column / (count - 1), root), 1e-12);
+}
+
+/* 1 - E_avg turns where mu is about alpha: Gauss's rule over v, mu = alpha sinh v. Node and weight: */
+typedef struct node {
+    double mu, weight;
+} node;
+
+static node node_of(const gauss *rule, int k, double alpha) {
+    const double length = k_asinh(1 / alpha), e = k_exp(length * rule->x[k]), inverse = 1 / e;
+    const double mu = k_min(alpha * 0.5 * (e - inverse), 1), step = alpha * 0.5 * (e + inverse);
+    return (node){mu, rule->weight[k] * length * step * 2 * mu};
+}
+
+/* ---- Equal roughnesses ----------------------------------------------------------------------- */
+
+static both missing_average(rays *q, const gauss *rule, double root) {
+    both sum = {{0, 0}};
+    for (int k = 0; k < rule->count; ++k) {
+        const node n = node_of(rule, k, root * root);
+        const both here = missing(q, root, root, n.mu, 1);
+        for (int g2 = 0; g2 < 2; ++g2) sum.of[g2] += n.weight * here.of[g2];
+    }
+    return sum;
+}
+
+static void fill_round(rays *q, albedo_tables t[2]) {
+    const gauss rule = gauss_of(32);
+    for (int r = 0; r < ROUND_ROWS; ++r) {
+        const double axis = albedo_row_inverse((double)r / (ROUND_ROWS - 1));
+        for (int c = 0; c < ROUND_COLUMNS; ++c) {
+            const both here = missing(q, axis, axis, mu_of(c, ROUND_COLUMNS, axis), 1);
+            for (int g2 = 0; g2 < 2; ++g2) t[g2].round[r][c] = (float)k_sqrt(here.of[g2]);
+        }
+        const both average = missing_average(q, &rule, axis);
+        for (int g2 = 0; g2 < 2; ++g2)
+            t[g2].round_average[r] = (float)k_sqrt(k_sqrt(average.of[g2]));
+    }
+}
+
+/* What lib/albedo_table.c reads there. */
+static double round_at(const albedo_tables *t, double mu, double root) {
+    const albedo_stencil row = albedo_stencil_of(albedo_row(root), ROUND_ROWS);
+    const albedo_stencil column = albedo_stencil_of(albedo_column(mu, root), ROUND_COLUMNS);
+    double along[4];
+    for (int k = 0; k < 4; ++k) {
+        const float *v = &t->round[(int)row.first + k][(int)column.first];
+        along[k] = albedo_mix(column, (double)v[0], (double)v[1], (double)v[2], (double)v[3]);
+    }
+    return albedo_mix(row, along[0], along[1], along[2], along[3]);
+}
+
+static double round_average(const albedo_tables *t, double root) {
+    const albedo_stencil row = albedo_stencil_of(albedo_row(root), ROUND_ROWS);
+    const float *v = &t->round_average[(int)row.first];
+    return albedo_mix(row, (double)v[0], (double)v[1], (double)v[2], (double)v[3]);
+}
+
+/* ---- Unequal roughnesses --------------------------------------------------------------------- */
+
+static double fourth(double x) {
+    return k_square(k_square(x));
+}
 
 static int is_round(int row, int ratio) {
     return row == 0 || ratio == TURNED_RATIOS - 1;
 }
 
-static lobe_microsurface with(lobe_microsurface s, double root_x, double root_y) {
-    s.alpha_x = root_x * root_x;
-    s.alpha_y = root_y * root_y;
-    return s;
-}
-
-/* sqrt(1 - E) at a cosine; x2 = cos^2 of the azimuth. */
-static double root(lobe_microsurface s, double mu, double x2, lobe_effort effort) {
-    const double plane = sqrt(fmax(1 - mu * mu, 0));
-    const lobe_vec3_f64 wi = {plane * sqrt(x2), plane * sqrt(1 - x2), mu};
-    return sqrt(fmax(1 - lobe_albedo(s, lobe_reflectance_one(), wi, effort), 0));
-}
-
-/* (1 - E_avg)^(1/4) */
-static double average_root(lobe_microsurface s) {
-    const double e = lobe_albedo_average(s, lobe_reflectance_one(), LOBE_EFFORT_FINE);
-    return sqrt(sqrt(fmax(1 - e, 0)));
-}
-
-/* The same by few directions, good enough for a difference: the midpoint rule in y, mu = a x/(1 + a - x) with a
- * the roughness toward the direction and x = y^2 (3 - 2 y), and in the azimuth. */
-static double turned_average_root(lobe_microsurface s) {
-    enum { STEPS = 20 };
-    const int turns = s.alpha_x == s.alpha_y ? 1 : 6;
-    double sum = 0;
-    for (int j = 0; j < turns; ++j) {
-        const double angle = acos(0.0) * (j + 0.5) / turns, c2 = cos(angle) * cos(angle);
-        const double a = sqrt(s.alpha_x * s.alpha_x * c2 + s.alpha_y * s.alpha_y * (1 - c2));
-        for (int i = 0; i < STEPS; ++i) {
-            const double y = (i + 0.5) / STEPS, x = y * y * (3 - 2 * y), rest = 1 + a - x;
-            const double mu = a * x / rest, step = 6 * y * (1 - y) * a * (1 + a) / (rest * rest);
-            const double lacks = root(s, mu, c2, LOBE_EFFORT_MEDIUM);
-            sum += 2 * mu * step * lacks * lacks;
-        }
-    }
-    return sqrt(sqrt(sum / (STEPS * turns)));
-}
-
-static double mu_of(int column, int count, double root) {
-    /* at the horizon the limit from above */
-    return fmax(albedo_column_inverse((double)column / (count - 1), root), 1e-12);
-}
-
-/* Less that of a round surface of the roughness toward the direction. */
-static double turned(lobe_microsurface s, albedo_axes a, int column, int azimuth) {
+/* A node less what the round table says for a surface of the roughness toward the direction. */
+static void fill_turned(rays *q, int row, int ratio, int column, int azimuth, albedo_tables t[2]) {
+    const albedo_axes a = albedo_axes_of(row, ratio);
     const double toward = a.narrow + (a.wide - a.narrow) * azimuth / (TURNED_AZIMUTHS - 1);
     const double mu = mu_of(column, TURNED_COLUMNS, toward);
-    const double n4 = pow(a.narrow, 4), w4 = pow(a.wide, 4);
-    const double x2 = fmin(fmax((pow(toward, 4) - n4) / (w4 - n4), 0), 1);
-    return root(with(s, a.wide, a.narrow), mu, x2, LOBE_EFFORT_MEDIUM) -
-           root(with(s, toward, toward), mu, 1, LOBE_EFFORT_MEDIUM);
-}
-
-static void fill_round(lobe_microsurface s, albedo_tables *t) {
-#pragma omp parallel for schedule(dynamic)
-    for (int r = 0; r < ROUND_ROWS; ++r) {
-        const double axis = albedo_row_inverse((double)r / (ROUND_ROWS - 1));
-        for (int c = 0; c < ROUND_COLUMNS; ++c)
-            t->round[r][c] = (float)root(with(s, axis, axis), mu_of(c, ROUND_COLUMNS, axis), 1,
-                                         LOBE_EFFORT_FINE);
-        t->round_average[r] = (float)average_root(with(s, axis, axis));
+    const double n4 = fourth(a.narrow), w4 = fourth(a.wide);
+    const double x2 = k_min(k_max((fourth(toward) - n4) / (w4 - n4), 0), 1);
+    const both here = missing(q, a.wide, a.narrow, mu, x2);
+    for (int g2 = 0; g2 < 2; ++g2) {
+        const double turned = k_sqrt(here.of[g2]) - k_max(round_at(&t[g2], mu, toward), 0);
+        t[g2].turned[row][ratio][column][azimuth] = (int16_t)k_round(turned / TURNED_STEP);
     }
 }
 
-/* One row and ratio. */
-static void fill_face(lobe_microsurface s, int row, int ratio, albedo_tables *t) {
+/* What lib/albedo_table.c makes of the tables in one row and ratio. */
+static double looked_up(const albedo_tables *t, int row, int ratio, double mu, double toward) {
     const albedo_axes a = albedo_axes_of(row, ratio);
-    for (int c = 0; c < TURNED_COLUMNS; ++c)
-        for (int azimuth = 0; azimuth < TURNED_AZIMUTHS; ++azimuth)
-            t->turned[row][ratio][c][azimuth] =
-                (int16_t)lrint(turned(s, a, c, azimuth) / TURNED_STEP);
-    t->turned_average[row][ratio] = (float)(turned_average_root(with(s, a.wide, a.narrow)) -
-                                            turned_average_root(with(s, a.mean, a.mean)));
+    const double turn = (toward - a.narrow) / (a.wide - a.narrow);
+    const albedo_stencil column = albedo_stencil_of(albedo_column(mu, toward), TURNED_COLUMNS);
+    const albedo_stencil azimuth = albedo_stencil_of(k_saturate(turn), TURNED_AZIMUTHS);
+    double along[4];
+    for (int k = 0; k < 4; ++k) {
+        const int16_t *v = &t->turned[row][ratio][(int)column.first + k][(int)azimuth.first];
+        along[k] = albedo_mix(azimuth, v[0], v[1], v[2], v[3]);
+    }
+    const double turned = albedo_mix(column, along[0], along[1], along[2], along[3]) * TURNED_STEP;
+    return k_square(k_max(round_at(t, mu, toward) + turned, 0));
 }
 
-static void fill_turned(lobe_microsurface s, albedo_tables *t) {
-#pragma omp parallel for collapse(2) schedule(dynamic)
-    for (int r = 0; r < TURNED_ROWS; ++r)
-        for (int k = 0; k < TURNED_RATIOS; ++k)
-            if (!is_round(r, k)) fill_face(s, r, k, t);
+/* The average of what is looked up, so that Kulla & Conty's lobe holds what is missing; over the azimuth by the
+ * tangent of half of it. */
+static double turned_average(const albedo_tables *t, const gauss *rule, int row, int ratio) {
+    const albedo_axes a = albedo_axes_of(row, ratio);
+    double sum = 0;
+    for (int j = 0; j < rule->count; ++j) {
+        const double half = rule->x[j], inverse = 1 / (1 + half * half);
+        const double c2 = k_square((1 - half * half) * inverse);
+        const double alpha2 = fourth(a.wide) * c2 + fourth(a.narrow) * (1 - c2);
+        const double toward = k_sqrt(k_sqrt(alpha2));
+        for (int k = 0; k < rule->count; ++k) {
+            const node n = node_of(rule, k, toward * toward);
+            sum += rule->weight[j] * 4 / RAYS_PI * inverse * n.weight *
+                   looked_up(t, row, ratio, n.mu, toward);
+        }
+    }
+    return k_sqrt(k_sqrt(sum)) - round_average(t, a.mean);
 }
+
+static void fill_face(rays *q, const gauss *rule, int row, int ratio, albedo_tables t[2]) {
+    for (int c = 0; c < TURNED_COLUMNS; ++c)
+        for (int a = 0; a < TURNED_AZIMUTHS; ++a) fill_turned(q, row, ratio, c, a, t);
+    for (int g2 = 0; g2 < 2; ++g2)
+        t[g2].turned_average[row][ratio] = (float)turned_average(&t[g2], rule, row, ratio);
+}
+
+/* ---- The file -------------------------------------------------------------------------------- */
 
 /* Rows of numbers, with a brace for each axis but the last. */
 static void print_floats(const float *values, int rows, int columns) {
@@ -107,7 +170,7 @@ static void print_floats(const float *values, int rows, int columns) {
         printf("{");
         for (int c = 0; c < columns; ++c) {
             const double v = (double)values[r * columns + c];
-            printf("%.6g,%s", fabs(v) < 5e-9 ? 0 : v, c % 10 == 9 ? "\n" : "");
+            printf("%.6g,%s", k_abs(v) < 5e-9 ? 0 : v, c % 10 == 9 ? "\n" : "");
         }
         printf("},\n");
     }
@@ -132,27 +195,33 @@ static void print_turned(const albedo_tables *t) {
     printf("},\n");
 }
 
-static void print_tables(lobe_ndf ndf, lobe_masking masking, lobe_g2 g2) {
-    static albedo_tables t;
-    const lobe_microsurface s = {ndf, masking, g2, 0, 0};
-    memset(&t, 0, sizeof t);
-    fill_round(s, &t);
-    fill_turned(s, &t);
+static void print_table(const albedo_tables *t) {
     printf("{");
-    print_floats(t.round[0], ROUND_ROWS, ROUND_COLUMNS);
+    print_floats(t->round[0], ROUND_ROWS, ROUND_COLUMNS);
     printf("{");
-    for (int r = 0; r < ROUND_ROWS; ++r) printf("%.6g,", (double)t.round_average[r]);
+    for (int r = 0; r < ROUND_ROWS; ++r) printf("%.6g,", (double)t->round_average[r]);
     printf("},\n");
-    print_turned(&t);
-    print_floats(t.turned_average[0], TURNED_ROWS, TURNED_RATIOS);
+    print_turned(t);
+    print_floats(t->turned_average[0], TURNED_ROWS, TURNED_RATIOS);
     printf("},\n");
+}
+
+static void make_tables(lobe_ndf ndf, lobe_masking masking) {
+    static albedo_tables t[2];
+    const gauss rule = gauss_of(32);
+    maker m = maker_of(ndf, masking);
+    memset(t, 0, sizeof t);
+    fill_round(&m.fine, t);
+    for (int row = 0; row < TURNED_ROWS; ++row)
+        for (int ratio = 0; ratio < TURNED_RATIOS; ++ratio)
+            if (!is_round(row, ratio)) fill_face(&m.fast, &rule, row, ratio, t);
+    for (int g2 = 0; g2 < 2; ++g2) print_table(&t[g2]);
 }
 
 int main(void) {
     printf("/* Made by tools/numerics/albedo_table.c. */\n");
     for (int ndf = 0; ndf < LOBE_NDF_COUNT; ++ndf)
         for (int masking = 0; masking < LOBE_MASKING_COUNT; ++masking)
-            for (int g2 = 0; g2 < 2; ++g2)
-                print_tables((lobe_ndf)ndf, (lobe_masking)masking, (lobe_g2)g2);
-    return 0;
+            make_tables((lobe_ndf)ndf, (lobe_masking)masking);
+    return ferror(stdout) != 0;
 }
