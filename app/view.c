@@ -35,6 +35,10 @@ const lobe_app_option lobe_app_scene_options[] = {
      NULL},
     {"--ground", NULL, NULL, "put a large matte floor below a file's scene", NULL, AT(ground),
      NULL},
+    {"--frame-time", "S", "none: nodes rest", "moment of the file's animation, in seconds",
+     lobe_app_read_f64, AT(frame_time), NULL},
+    {"--animation", "NAME", "the first", "which animation; all: all of them", lobe_app_read_name,
+     AT(animation), NULL},
     {"--strict", NULL, NULL, "a warning is an error", NULL, AT(strict), NULL},
     {0}};
 
@@ -67,6 +71,7 @@ lobe_app_view lobe_app_default_view(void) {
     return (lobe_app_view){.size = {r.width, r.height},
                            .depth = (uint64_t)r.depth,
                            .floor = r.reflection.floor,
+                           .frame_time = NAN,
                            .heuristic = (int)r.heuristic,
                            .material = {0.8, 0.8, 0.8, 0, 0.5}};
 }
@@ -78,6 +83,8 @@ lobe_app_status lobe_app_check_view(const lobe_app_view *v) {
         return lobe_app_reject("--exposure", "use -100 to 100", "out of range");
     if (!(fabs(v->rotation) <= 36000))
         return lobe_app_reject("--env-rotate", "use degrees, at most 36000", "out of range");
+    if (v->animation && isnan(v->frame_time))
+        return lobe_app_reject("--animation", "give --frame-time S too", "no moment to show");
     for (int k = 0; k < 5; k++)
         if (!(v->material[k] >= 0 && v->material[k] <= 1))
             return lobe_app_reject("--material", "each number lies in [0, 1]", "out of range");
@@ -130,11 +137,15 @@ lobe_scene_options lobe_app_view_scene_options(const lobe_app_view *v) {
     for (int c = 0; c < 3; c++) s.default_base_color[c] = (float)v->material[c];
     s.default_metallic = (float)v->material[3];
     s.default_roughness = (float)v->material[4];
+    s.frame_time = v->frame_time;
+    s.animation = v->animation;
     s.warning = print_warning;
+    s.cancel = &lobe_app_interrupted;
     return s;
 }
 
 lobe_app_status lobe_app_render_failed(lobe_render_result result) {
     lobe_app_report_line(lobe_render_error_message());
+    if (result == LOBE_RENDER_INTERRUPTED) return LOBE_APP_INTERRUPTED;
     return result == LOBE_RENDER_BAD_INPUT ? LOBE_APP_BAD_INPUT : LOBE_APP_FAILED;
 }

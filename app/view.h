@@ -14,7 +14,8 @@ typedef struct lobe_app_view {
     lobe_app_size size;
     const char *environment, *camera;
     uint64_t depth, seed, threads;
-    double exposure, rotation, material[5], floor;
+    const char *animation;
+    double exposure, rotation, material[5], floor, frame_time;
     int ndf, masking, g2, normalization, heuristic, multiscatter;
     bool strict, ground;
 } lobe_app_view;
