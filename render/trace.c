@@ -78,6 +78,8 @@ static void commit(builder *b, RTCScene scene, double share) {
     if (!is_cancelled(b)) rtcCommitScene(scene);
     rtcSetSceneProgressMonitorFunction(scene, NULL, NULL);
     b->done += share;
+    b->share = 0.0;
+    tell(b, 0.0);
 }
 
 static void add_triangles(const builder *b, RTCScene scene, uint32_t first, uint32_t count) {
