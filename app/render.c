@@ -263,27 +263,14 @@ static lobe_app_status agree(lobe_app_status status) {
     return is_good && all != LOBE_RENDER_OK ? lobe_app_render_failed(all) : status;
 }
 
-static void show_build(void *user, double fraction) {
-    lobe_app_show_progress(user, fraction, 100 * fraction);
-}
-
-static lobe_render_result load(const render_values *v, const char *source, lobe_scene **scene) {
-    lobe_app_progress progress = lobe_app_begin_progress(v->progress, "build", "%");
-    lobe_scene_options options = lobe_app_view_scene_options(&v->view);
-    options.progress = show_build;
-    options.progress_user = &progress;
-    const lobe_render_result result = lobe_scene_load(source, options, scene);
-    lobe_app_end_progress(&progress);
-    return result;
-}
-
 static lobe_app_status render(const render_values *v, const char *source) {
     lobe_film *reference = NULL;
     lobe_scene *scene = NULL;
     lobe_app_catch_interrupt();
     lobe_app_status status = agree(read_reference(v, &reference));
     if (!status) {
-        const lobe_render_result result = lobe_ranks_agree(load(v, source, &scene));
+        const lobe_render_result result =
+            lobe_ranks_agree(lobe_app_load_scene(&v->view, v->progress, source, &scene));
         status = result == LOBE_RENDER_OK ? render_scene(v, source, scene, reference)
                                           : lobe_app_render_failed(result);
     }

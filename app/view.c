@@ -6,6 +6,7 @@
 
 #include "interrupt.h"
 #include "number.h"
+#include "progress.h"
 
 static const char *const heuristics[] = {"balance", "power", "bsdf-only", "light-only", NULL};
 static const char *const multiscatters[] = {"none", "kulla-conty", "turquin", "walk", NULL};
@@ -142,6 +143,22 @@ lobe_scene_options lobe_app_view_scene_options(const lobe_app_view *v) {
     s.warning = print_warning;
     s.cancel = &lobe_app_interrupted;
     return s;
+}
+
+/* Of what takes no time nothing is shown, not even its end. */
+static void show_build(void *user, double fraction) {
+    if (fraction < 1) lobe_app_show_progress(user, fraction, 100 * fraction);
+}
+
+lobe_render_result lobe_app_load_scene(const lobe_app_view *view, int mode, const char *source,
+                                       lobe_scene **scene) {
+    lobe_app_progress progress = lobe_app_begin_progress(mode, "build", "%");
+    lobe_scene_options options = lobe_app_view_scene_options(view);
+    options.progress = show_build;
+    options.progress_user = &progress;
+    const lobe_render_result result = lobe_scene_load(source, options, scene);
+    lobe_app_end_progress(&progress);
+    return result;
 }
 
 lobe_app_status lobe_app_render_failed(lobe_render_result result) {

@@ -44,6 +44,10 @@ lobe_render_options lobe_app_view_render_options(const lobe_app_view *view);
 /* Warnings go to standard error. */
 lobe_scene_options lobe_app_view_scene_options(const lobe_app_view *view);
 
+/* Shows how far the tree is; `progress` is a lobe_app_progress_mode. */
+lobe_render_result lobe_app_load_scene(const lobe_app_view *view, int progress, const char *source,
+                                       lobe_scene **scene);
+
 /* Reports the renderer's message; the status that it means. */
 lobe_app_status lobe_app_render_failed(lobe_render_result result);
 

@@ -151,6 +151,7 @@ gltf_accessor plain(const tinygltf::Accessor &a) {
     accessor.offset = a.byteOffset;
     accessor.count = a.count;
     accessor.is_normalized = a.normalized;
+    accessor.greatest = a.maxValues.empty() ? 0.0 : a.maxValues[0];
     accessor.is_sparse = a.sparse.isSparse;
     if (!a.sparse.isSparse) return accessor;
     accessor.sparse_count = offset_of(a.sparse.count);
@@ -389,7 +390,7 @@ struct document : gltf_model {
     std::vector<gltf_light> all_lights;
     std::vector<gltf_skin> all_skins;
     std::vector<gltf_animation> all_animations;
-    std::vector<const char *> all_extensions;
+    std::vector<const char *> all_extensions, all_required;
     std::vector<int> all_roots;
 };
 
@@ -467,6 +468,9 @@ void describe(document &d) {
     for (const std::string &name : m.extensionsUsed) d.all_extensions.push_back(name.c_str());
     d.extensions = d.all_extensions.data();
     d.extension_count = d.all_extensions.size();
+    for (const std::string &name : m.extensionsRequired) d.all_required.push_back(name.c_str());
+    d.required = d.all_required.data();
+    d.required_count = d.all_required.size();
     convert(m.bufferViews, d.all_views, d.views, d.view_count);
     convert(m.accessors, d.all_accessors, d.accessors, d.accessor_count);
     convert(m.nodes, d.all_nodes, d.nodes, d.node_count);

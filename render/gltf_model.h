@@ -45,6 +45,7 @@ typedef struct gltf_accessor {
     int channels;        /* 1 to 4, GLTF_MATRIX: 4 x 4 by columns; 0: none of these */
     size_t offset, count;
     int is_normalized, is_sparse;
+    double greatest; /* of the first channel, as the file says; 0: it does not */
     size_t sparse_count;
     int index_view, index_component, value_view;
     size_t index_offset, value_offset;
@@ -195,11 +196,11 @@ typedef struct gltf_model {
     const gltf_light *lights;
     const gltf_skin *skins;
     const gltf_animation *animations;
-    const char *const *extensions; /* used */
-    const int *roots;              /* nodes of the scene that is shown */
+    const char *const *extensions, *const *required; /* extensions used, and those that must be */
+    const int *roots;                                /* nodes of the scene that is shown */
     size_t buffer_count, view_count, accessor_count, mesh_count, node_count, material_count,
         texture_count, image_count, camera_count, light_count, skin_count, animation_count,
-        extension_count, root_count;
+        extension_count, required_count, root_count;
 } gltf_model;
 
 /* Read a .glb file in memory; buffers and textures lie in `folder` ("" or with a slash at its end).

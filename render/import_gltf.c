@@ -7,6 +7,7 @@
 #include "gltf_file.h"
 #include "gltf_material.h"
 #include "gltf_mesh.h"
+#include "inventory.h"
 #include "scene.h"
 
 /* How a mesh that nothing bends is used. */
@@ -25,8 +26,9 @@ typedef struct importer {
     gltf_pose pose;
     int *shown, *waiting; /* nodes of the scene in their order; a stack */
     size_t shown_count, waiting_count;
-    char *is_known; /* of each node: it was on the stack */
-    mesh_use *uses; /* of each mesh */
+    char *is_known;     /* of each node: it was on the stack */
+    mesh_use *uses;     /* of each mesh */
+    size_t place_count; /* of instances so far */
     int repeated_nodes, beyond, shapeless;
 } importer;
 
@@ -85,12 +87,16 @@ static void add_lamp(importer *k, const gltf_node *node, const affine *to_world)
                           v3_is_finite(i) && i.x >= 0.0f && i.y >= 0.0f && i.z >= 0.0f &&
                           v3_dot(l.direction, l.direction) > 0.0f && isfinite(l.cos_inner) &&
                           isfinite(l.cos_outer) && l.range >= 0.0f;
-    if (is_usable)
+    if (is_usable) {
         lobe_scene_add_lamp(k->scene, l);
-    else
+        lobe_scene_note(k->scene,
+                        (lobe_scene_item){.part = LOBE_SCENE_LIGHT,
+                                          .name = from->name[0] ? from->name : node->name});
+    } else {
         lobe_warn(&k->scene->warnings,
                   "%s: light %d has values that cannot be used; it is left out", k->path,
                   node->light);
+    }
 }
 
 /* ---- Meshes -------------------------------------------------------------------------------------- */
@@ -140,6 +146,21 @@ static gltf_bend bend_of(const importer *k, int node) {
     return (gltf_bend){mesh->weights, mesh->weight_count, NULL};
 }
 
+/* How often a node shows its mesh. */
+static size_t places_of(const importer *k, const gltf_node *n) {
+    size_t most = n->is_instanced ? 0 : 1;
+    for (int i = 0; i < 3 && n->is_instanced; i++) {
+        const int a = n->instances[i];
+        if (a < 0 || (size_t)a >= k->model->accessor_count) continue;
+        const size_t count = k->model->accessors[a].count;
+        if (count > most) most = count;
+    }
+    return most;
+}
+
+/* Most places of meshes in a file: guards against counts that lie. */
+enum { PLACES_MAX = 1 << 22 };
+
 /* EXT_mesh_gpu_instancing: from each place to the node. *places: by malloc. */
 static lobe_render_result read_places(importer *k, const gltf_node *node, affine **places,
                                       size_t *count) {
@@ -177,8 +198,12 @@ static lobe_render_result read_places(importer *k, const gltf_node *node, affine
 
 static lobe_render_result add_places(importer *k, const gltf_node *node, const affine *to_world,
                                      const gltf_bend *bend) {
-    affine *places;
-    size_t count;
+    affine *places = NULL;
+    size_t count = places_of(k, node);
+    if (count > PLACES_MAX - k->place_count)
+        return lobe_fail(LOBE_RENDER_BAD_INPUT, "%s: more than %d instances; split the scene",
+                         k->path, PLACES_MAX);
+    k->place_count += count;
     lobe_render_result result = read_places(k, node, &places, &count);
     for (size_t i = 0; i < count && result == LOBE_RENDER_OK && !k->scene->out_of_memory; i++) {
         const affine place = lobe_affine_product(to_world, &places[i]);
@@ -239,24 +264,12 @@ static lobe_render_result find_nodes(importer *k) {
 /* Copies are faster to trace than instances, and so small ones of them are made. */
 enum { COPIED_TRIANGLES_MAX = 10000, SHAPE_TRIANGLES_MIN = 16 };
 
-static size_t places_of(const importer *k, int node) {
-    const gltf_node *n = &k->model->nodes[node];
-    size_t most = n->is_instanced ? 0 : 1;
-    for (int i = 0; i < 3 && n->is_instanced; i++) {
-        const int a = n->instances[i];
-        if (a < 0 || (size_t)a >= k->model->accessor_count) continue;
-        const size_t count = k->model->accessors[a].count;
-        if (count > most) most = count;
-    }
-    return most;
-}
-
 static void count_places(importer *k) {
     for (size_t i = 0; i < k->model->mesh_count; i++) k->uses[i] = (mesh_use){0, -1};
     for (size_t i = 0; i < k->shown_count; i++) {
         const gltf_node *n = &k->model->nodes[k->shown[i]];
         if (n->mesh < 0 || n->skin >= 0 || bend_of(k, k->shown[i]).weight_count) continue;
-        k->uses[n->mesh].places += places_of(k, k->shown[i]);
+        k->uses[n->mesh].places += places_of(k, n);
     }
 }
 
@@ -303,6 +316,81 @@ static lobe_render_result read_nodes(importer *k) {
         result = add_mesh(k, n, to_world);
     }
     return result;
+}
+
+/* ---- What there is -------------------------------------------------------------------------------- */
+
+static void note_mesh(const importer *k, size_t index) {
+    const gltf_mesh *mesh = &k->model->meshes[index];
+    char words[WORDS_ROOM] = "";
+    uint64_t triangles = 0, uses = 0;
+    int has[GLTF_SEMANTICS] = {0}, is_packed = 0, is_morphed = 0, is_skinned = 0;
+    for (size_t i = 0; i < mesh->primitive_count; i++) {
+        const gltf_primitive *p = &mesh->primitives[i];
+        triangles += lobe_gltf_triangle_count(k->model, p);
+        is_packed |= p->draco_view >= 0;
+        is_morphed |= p->target_count > 0;
+        for (int s = 0; s < GLTF_SEMANTICS; s++) has[s] |= p->accessors[s] >= 0;
+    }
+    for (size_t i = 0; i < k->shown_count; i++) {
+        const gltf_node *n = &k->model->nodes[k->shown[i]];
+        if (n->mesh != (int)index) continue;
+        uses += places_of(k, n);
+        is_skinned |= n->skin >= 0;
+    }
+    lobe_add_word(words, has[GLTF_NORMAL], "normals");
+    lobe_add_word(words, has[GLTF_TANGENT], "tangents");
+    lobe_add_word(words, has[GLTF_COLOR], "colours");
+    lobe_add_word(words, has[GLTF_TEXCOORD], "texture coordinates");
+    lobe_add_word(words, has[GLTF_TEXCOORD + 1], "a second set");
+    lobe_add_word(words, is_skinned, "skin");
+    lobe_add_word(words, is_morphed, "morph targets");
+    lobe_add_word(words, is_packed, "Draco");
+    lobe_add_word(words, k->uses[index].shape >= 0, "instances");
+    lobe_scene_note(k->scene, (lobe_scene_item){.part = LOBE_SCENE_MESH,
+                                                .name = mesh->name,
+                                                .about = words,
+                                                .count = triangles,
+                                                .uses = uses});
+}
+
+static void note_animation(importer *k, const gltf_animation *a) {
+    static const char *const paths[] = {"translation", "rotation", "scale", "weights",
+                                        "something that is ignored"};
+    static const char *const ways[] = {"steps", "lines", "cubics"};
+    int has_path[5] = {0}, has_way[3] = {0};
+    char words[WORDS_ROOM] = "";
+    lobe_scene_item item = {
+        .part = LOBE_SCENE_ANIMATION, .name = a->name, .count = a->channel_count};
+    for (size_t i = 0; i < a->channel_count; i++) {
+        const gltf_channel *c = &a->channels[i];
+        const int input = c->input;
+        has_path[c->path] = has_way[c->interpolation] = 1;
+        if (input < 0 || (size_t)input >= k->model->accessor_count) continue;
+        item.seconds = fmax(item.seconds, k->model->accessors[input].greatest);
+    }
+    for (int i = 0; i < 5; i++) lobe_add_word(words, has_path[i], paths[i]);
+    for (int i = 0; i < 3; i++) lobe_add_word(words, has_way[i], ways[i]);
+    item.about = words;
+    lobe_scene_note(k->scene, item);
+}
+
+static void note_extension(const importer *k, const char *name) {
+    char words[WORDS_ROOM] = "";
+    int is_required = 0;
+    for (size_t i = 0; i < k->model->required_count; i++)
+        is_required |= strcmp(k->model->required[i], name) == 0;
+    lobe_add_word(words, 1, lobe_gltf_knows(name) ? "read" : "ignored");
+    lobe_add_word(words, is_required, "required");
+    lobe_scene_note(k->scene,
+                    (lobe_scene_item){.part = LOBE_SCENE_EXTENSION, .name = name, .about = words});
+}
+
+static void note_parts(importer *k) {
+    const gltf_model *m = k->model;
+    for (size_t i = 0; i < m->mesh_count; i++) note_mesh(k, i);
+    for (size_t i = 0; i < m->animation_count; i++) note_animation(k, &m->animations[i]);
+    for (size_t i = 0; i < m->extension_count; i++) note_extension(k, m->extensions[i]);
 }
 
 /* ---- What is left out ---------------------------------------------------------------------------- */
@@ -356,6 +444,7 @@ static lobe_render_result read_scene(importer *k, const lobe_scene_options *opti
     if (result == LOBE_RENDER_OK)
         result = lobe_gltf_read_materials(k->scene, &k->reader, options, &k->needs);
     if (result == LOBE_RENDER_OK && !k->scene->out_of_memory) result = read_nodes(k);
+    if (result == LOBE_RENDER_OK) note_parts(k);
     if (result == LOBE_RENDER_OK) warn_of_features(k);
     lobe_gltf_pose_free(&k->pose);
     lobe_gltf_reader_free(&k->reader);

@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "inventory.h"
+
 /* Room for one more element of a growing array; 0: no memory. */
 static int grow(void **array, uint32_t count, uint32_t *room, size_t size) {
     if (count < *room) return 1;
@@ -153,6 +155,7 @@ void lobe_scene_free(lobe_scene *s) {
     for (uint32_t i = 0; i < s->texture_count; i++) lobe_texture_free(&s->textures[i]);
     if (s->has_sky) lobe_environment_free(&s->sky);
     lobe_alias_free(&s->light_table);
+    lobe_inventory_free(&s->inventory);
     free(s->vertices);
     free(s->triangles);
     free(s->shapes);
@@ -351,7 +354,10 @@ static void fill_info(lobe_scene *s) {
     for (uint32_t i = 0; i < s->texture_count; i++)
         s->info.texture_bytes += (uint64_t)s->textures[i].channels *
                                  (uint64_t)s->textures[i].width * (uint64_t)s->textures[i].height;
-    s->info.tree_bytes = lobe_tracer_bytes(s->tracer);
+    s->info.low = s->low;
+    s->info.high = s->high;
+    s->info.lamps = s->lamp_count;
+    s->info.tree_bytes = lobe_tracer_bytes(s->tracer, &s->info.tree_peak_bytes);
 }
 
 static int has_anisotropy(const lobe_scene *s) {
@@ -417,6 +423,7 @@ static lobe_render_result finish(lobe_scene *s, const lobe_scene_options *option
     s->is_opaque = is_scene_opaque(s);
     lobe_render_result result = light_the_scene(s, options);
     if (result != LOBE_RENDER_OK) return result;
+    lobe_scene_note_all(s);
     result = build_tree(s, options);
     if (result != LOBE_RENDER_OK) return result;
     s->has_anisotropy = has_anisotropy(s);

@@ -67,6 +67,17 @@ typedef struct camera {
     float vertical_degrees;
 } camera;
 
+/* inventory.h */
+typedef struct inventory_row {
+    lobe_scene_item item;
+    char *name, *about; /* by malloc */
+} inventory_row;
+
+typedef struct inventory {
+    inventory_row *rows;
+    size_t count, room;
+} inventory;
+
 struct lobe_scene {
     char name[256];
     vertex *vertices;
@@ -95,6 +106,7 @@ struct lobe_scene {
     int is_animated;   /* the file */
     double frame_time; /* NaN: at rest */
     lobe_scene_info info;
+    inventory inventory;
     warnings warnings;
 };
 

@@ -32,7 +32,7 @@ struct tracer {
     uint32_t world; /* the first triangle that lies in the world */
     const shape *ranges;
     const instance *instances;
-    atomic_llong bytes;
+    atomic_llong bytes, most_bytes;
 };
 
 /* ---- Building ---------------------------------------------------------------------------------- */
@@ -62,7 +62,10 @@ static bool tell(void *user, double fraction) {
 static bool count_bytes(void *user, ssize_t bytes, bool is_after) {
     (void)is_after;
     tracer *t = user;
-    atomic_fetch_add(&t->bytes, (long long)bytes);
+    const long long now = atomic_fetch_add(&t->bytes, (long long)bytes) + (long long)bytes;
+    long long most = atomic_load(&t->most_bytes);
+    while (now > most && !atomic_compare_exchange_weak(&t->most_bytes, &most, now)) {
+    }
     return true;
 }
 
@@ -152,8 +155,9 @@ tracer *lobe_tracer_create(const tracer_scene *from) {
     return t;
 }
 
-uint64_t lobe_tracer_bytes(const tracer *t) {
+uint64_t lobe_tracer_bytes(const tracer *t, uint64_t *most) {
     const long long bytes = atomic_load(&t->bytes);
+    *most = (uint64_t)atomic_load(&t->most_bytes);
     return bytes > 0 ? (uint64_t)bytes : 0;
 }
 

@@ -57,8 +57,8 @@ typedef struct tracer_scene {
 tracer *lobe_tracer_create(const tracer_scene *scene);
 void lobe_tracer_free(tracer *t);
 
-/* Of the trees. */
-uint64_t lobe_tracer_bytes(const tracer *t);
+/* Of the trees, now and at most so far. */
+uint64_t lobe_tracer_bytes(const tracer *t, uint64_t *most);
 
 /* The first surface between two distances. */
 int lobe_tracer_nearest(const tracer *t, vec3 origin, vec3 direction, float from, float to,

@@ -126,10 +126,37 @@ typedef struct lobe_scene_info {
     uint64_t cameras;          /* in the file; 0: framed automatically */
     uint64_t warnings;
     uint64_t geometry_bytes, texture_bytes;
-    uint64_t tree_bytes; /* of Embree */
+    uint64_t tree_bytes, tree_peak_bytes; /* of Embree, now and while it was built */
+    uint64_t lamps;                       /* lights without extent */
+    lobe_vec3_f32 low, high; /* a box around all triangles; that of instances is not the smallest */
 } lobe_scene_info;
 
 LOBE_API lobe_scene_info lobe_scene_get_info(const lobe_scene *scene);
+
+/* What a scene is made of, one after the other. */
+typedef enum lobe_scene_part {
+    LOBE_SCENE_MESH,      /* count: triangles; uses: how often the scene shows it */
+    LOBE_SCENE_MATERIAL,  /* count: triangles in memory that have it; about: what it uses */
+    LOBE_SCENE_TEXTURE,   /* name: of the file or the picture; width, height */
+    LOBE_SCENE_LIGHT,     /* without extent; about: its kind */
+    LOBE_SCENE_CAMERA,    /* about: its angle */
+    LOBE_SCENE_ANIMATION, /* count: channels; seconds: its last key; about: what it moves, and how */
+    LOBE_SCENE_EXTENSION  /* of glTF; about: "read" or "ignored", and "required" */
+} lobe_scene_part;
+
+typedef struct lobe_scene_item {
+    lobe_scene_part part;
+    const char *name;  /* in the file; "": it has none */
+    const char *about; /* words with ", " between; may be "" */
+    uint64_t count, uses;
+    int width, height;
+    double seconds;
+} lobe_scene_item;
+
+LOBE_API size_t lobe_scene_item_count(const lobe_scene *scene);
+LOBE_API const lobe_scene_item *lobe_scene_get_item(const lobe_scene *scene,
+                                                    size_t index); /* out of range: NULL */
+LOBE_API const char *lobe_scene_part_name(lobe_scene_part part);   /* "mesh", …; NULL: none */
 
 /* Names of the cameras that the file brings; an index out of range gives NULL. */
 LOBE_API const char *lobe_scene_camera_name(const lobe_scene *scene, size_t index);
