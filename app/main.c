@@ -21,6 +21,7 @@ static const struct {
     {"albedo", lobe_app_albedo, "integrate what a microsurface reflects"},
     {"verify", lobe_app_verify, "prove models and methods by statistics"},
     {"bench", lobe_app_bench, "time every model"},
+    {"info", lobe_app_info, "tell what is in a scene"},
     {"render", lobe_app_render, "path-trace a scene"},
     {"compare", lobe_app_compare, "tell which method is better on a scene, or pictures apart"},
     {"merge", lobe_app_merge, "join renders of several seeds or parts"},

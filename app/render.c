@@ -269,8 +269,8 @@ static lobe_app_status render(const render_values *v, const char *source) {
     lobe_app_catch_interrupt();
     lobe_app_status status = agree(read_reference(v, &reference));
     if (!status) {
-        const lobe_render_result result = lobe_ranks_agree(
-            lobe_scene_load(source, lobe_app_view_scene_options(&v->view), &scene));
+        const lobe_render_result result =
+            lobe_ranks_agree(lobe_app_load_scene(&v->view, v->progress, source, &scene));
         status = result == LOBE_RENDER_OK ? render_scene(v, source, scene, reference)
                                           : lobe_app_render_failed(result);
     }

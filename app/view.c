@@ -6,6 +6,7 @@
 
 #include "interrupt.h"
 #include "number.h"
+#include "progress.h"
 
 static const char *const heuristics[] = {"balance", "power", "bsdf-only", "light-only", NULL};
 static const char *const multiscatters[] = {"none", "kulla-conty", "turquin", "walk", NULL};
@@ -35,6 +36,10 @@ const lobe_app_option lobe_app_scene_options[] = {
      NULL},
     {"--ground", NULL, NULL, "put a large matte floor below a file's scene", NULL, AT(ground),
      NULL},
+    {"--frame-time", "S", "none: nodes rest", "moment of the file's animation, in seconds",
+     lobe_app_read_f64, AT(frame_time), NULL},
+    {"--animation", "NAME", "the first", "which animation; all: all of them", lobe_app_read_name,
+     AT(animation), NULL},
     {"--strict", NULL, NULL, "a warning is an error", NULL, AT(strict), NULL},
     {0}};
 
@@ -67,6 +72,7 @@ lobe_app_view lobe_app_default_view(void) {
     return (lobe_app_view){.size = {r.width, r.height},
                            .depth = (uint64_t)r.depth,
                            .floor = r.reflection.floor,
+                           .frame_time = NAN,
                            .heuristic = (int)r.heuristic,
                            .material = {0.8, 0.8, 0.8, 0, 0.5}};
 }
@@ -78,6 +84,8 @@ lobe_app_status lobe_app_check_view(const lobe_app_view *v) {
         return lobe_app_reject("--exposure", "use -100 to 100", "out of range");
     if (!(fabs(v->rotation) <= 36000))
         return lobe_app_reject("--env-rotate", "use degrees, at most 36000", "out of range");
+    if (v->animation && isnan(v->frame_time))
+        return lobe_app_reject("--animation", "give --frame-time S too", "no moment to show");
     for (int k = 0; k < 5; k++)
         if (!(v->material[k] >= 0 && v->material[k] <= 1))
             return lobe_app_reject("--material", "each number lies in [0, 1]", "out of range");
@@ -130,11 +138,31 @@ lobe_scene_options lobe_app_view_scene_options(const lobe_app_view *v) {
     for (int c = 0; c < 3; c++) s.default_base_color[c] = (float)v->material[c];
     s.default_metallic = (float)v->material[3];
     s.default_roughness = (float)v->material[4];
+    s.frame_time = v->frame_time;
+    s.animation = v->animation;
     s.warning = print_warning;
+    s.cancel = &lobe_app_interrupted;
     return s;
+}
+
+/* Of what takes no time nothing is shown, not even its end. */
+static void show_build(void *user, double fraction) {
+    if (fraction < 1) lobe_app_show_progress(user, fraction, 100 * fraction);
+}
+
+lobe_render_result lobe_app_load_scene(const lobe_app_view *view, int mode, const char *source,
+                                       lobe_scene **scene) {
+    lobe_app_progress progress = lobe_app_begin_progress(mode, "build", "%");
+    lobe_scene_options options = lobe_app_view_scene_options(view);
+    options.progress = show_build;
+    options.progress_user = &progress;
+    const lobe_render_result result = lobe_scene_load(source, options, scene);
+    lobe_app_end_progress(&progress);
+    return result;
 }
 
 lobe_app_status lobe_app_render_failed(lobe_render_result result) {
     lobe_app_report_line(lobe_render_error_message());
+    if (result == LOBE_RENDER_INTERRUPTED) return LOBE_APP_INTERRUPTED;
     return result == LOBE_RENDER_BAD_INPUT ? LOBE_APP_BAD_INPUT : LOBE_APP_FAILED;
 }

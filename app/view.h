@@ -14,7 +14,8 @@ typedef struct lobe_app_view {
     lobe_app_size size;
     const char *environment, *camera;
     uint64_t depth, seed, threads;
-    double exposure, rotation, material[5], floor;
+    const char *animation;
+    double exposure, rotation, material[5], floor, frame_time;
     int ndf, masking, g2, normalization, heuristic, multiscatter;
     bool strict, ground;
 } lobe_app_view;
@@ -42,6 +43,10 @@ lobe_render_options lobe_app_view_render_options(const lobe_app_view *view);
 
 /* Warnings go to standard error. */
 lobe_scene_options lobe_app_view_scene_options(const lobe_app_view *view);
+
+/* Shows how far the tree is; `progress` is a lobe_app_progress_mode. */
+lobe_render_result lobe_app_load_scene(const lobe_app_view *view, int progress, const char *source,
+                                       lobe_scene **scene);
 
 /* Reports the renderer's message; the status that it means. */
 lobe_app_status lobe_app_render_failed(lobe_render_result result);

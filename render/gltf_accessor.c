@@ -203,7 +203,9 @@ static float number_at(const elements *e, size_t i, int channel) {
 
 static void copy_floats(const elements *e, size_t i, int channels, float *to) {
     for (int c = 0; c < channels; c++)
-        to[c] = c < e->channels && e->data ? number_at(e, i, c) : c == 3 ? 1.0f : 0.0f;
+        to[c] = c < e->channels && e->data ? number_at(e, i, c)
+                : c == 3 && channels == 4  ? 1.0f
+                                           : 0.0f;
 }
 
 lobe_render_result lobe_gltf_read_floats(gltf_reader *r, int accessor, int channels, float **values,
@@ -211,6 +213,8 @@ lobe_render_result lobe_gltf_read_floats(gltf_reader *r, int accessor, int chann
     elements e, places, replaced;
     lobe_render_result result = find_accessor(r, accessor, &e);
     if (result != LOBE_RENDER_OK) return result;
+    if ((e.channels == GLTF_MATRIX) != (channels == GLTF_MATRIX))
+        return refuse(r, "accessor", accessor, "is of a type that cannot be used");
     const gltf_accessor *a = &r->model->accessors[accessor];
     if (a->is_sparse && (result = find_sparse(r, accessor, &places, &replaced)) != LOBE_RENDER_OK)
         return result;

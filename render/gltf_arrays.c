@@ -6,7 +6,7 @@
 #include "gltf_draco.h"
 #include "message.h"
 
-const int lobe_gltf_channels[GLTF_SEMANTICS] = {3, 3, 4, 4, 2, 2, 2, 2, 2, 2, 2, 2};
+const int lobe_gltf_channels[GLTF_SEMANTICS] = {3, 3, 4, 4, 2, 2, 2, 2, 2, 2, 2, 2, 4, 4, 4, 4};
 
 static int is_wanted(const int wanted[GLTF_SEMANTICS], int semantic) {
     return semantic == GLTF_POSITION || wanted[semantic];

@@ -15,12 +15,19 @@ static const uint32_t GLB_MAGIC = 0x46546c67u, JSON_CHUNK = 0x4e4f534au, BINARY_
 
 int lobe_gltf_knows(const char *extension) {
     static const char *const known[] = {
-        "EXT_meshopt_compression",    "KHR_draco_mesh_compression",
-        "KHR_lights_punctual",        "KHR_materials_anisotropy",
-        "KHR_materials_unlit",        "KHR_materials_emissive_strength",
-        "KHR_materials_transmission", "KHR_materials_ior",
-        "KHR_materials_volume",       "KHR_materials_specular",
-        "KHR_materials_clearcoat",    "KHR_mesh_quantization",
+        "EXT_mesh_gpu_instancing",
+        "EXT_meshopt_compression",
+        "KHR_draco_mesh_compression",
+        "KHR_lights_punctual",
+        "KHR_materials_anisotropy",
+        "KHR_materials_unlit",
+        "KHR_materials_emissive_strength",
+        "KHR_materials_transmission",
+        "KHR_materials_ior",
+        "KHR_materials_volume",
+        "KHR_materials_specular",
+        "KHR_materials_clearcoat",
+        "KHR_mesh_quantization",
         "KHR_texture_transform",
     };
     for (size_t i = 0; i < sizeof known / sizeof *known; i++)

@@ -2,8 +2,10 @@
 
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "import_texture.h"
+#include "inventory.h"
 
 /* Indices of a picture in the scene, as a colour and as raw values; UNREAD: not yet. */
 enum { UNREAD = -2 };
@@ -52,6 +54,17 @@ static void miss_picture(material_reader *k, size_t index) {
     lobe_import_missing_texture(k->scene, k->reader->path, has_uri ? m->images[index].uri : name);
 }
 
+static void note_picture(const material_reader *k, size_t index) {
+    const gltf_model *m = k->reader->model;
+    if (index >= m->image_count) return;
+    const gltf_image *image = &m->images[index];
+    lobe_scene_note(k->scene,
+                    (lobe_scene_item){.part = LOBE_SCENE_TEXTURE,
+                                      .name = image->uri[0] && strncmp(image->uri, "data:", 5) != 0
+                                                  ? image->uri
+                                                  : image->name});
+}
+
 /* Index in the scene of what a texture of the file shows. */
 static int read_source(material_reader *k, int texture_index, int is_srgb) {
     const gltf_model *m = k->reader->model;
@@ -64,7 +77,10 @@ static int read_source(material_reader *k, int texture_index, int is_srgb) {
     int *known = is_srgb ? &p->as_color : &p->as_values;
     if (*known != UNREAD) return *known;
     texture t;
-    if (read_picture(k, index, &t, is_srgb)) return *known = lobe_scene_add_texture(k->scene, t);
+    if (read_picture(k, index, &t, is_srgb)) {
+        note_picture(k, index);
+        return *known = lobe_scene_add_texture(k->scene, t);
+    }
     miss_picture(k, index);
     return *known = lobe_import_magenta(k->scene, is_srgb);
 }
@@ -224,6 +240,9 @@ lobe_render_result lobe_gltf_read_materials(lobe_scene *s, gltf_reader *r,
         material_needs *n = &(*needs)[i];
         *n = (material_needs){0, {-1, -1}};
         const int is_named = i < m->material_count;
+        lobe_scene_note(s,
+                        (lobe_scene_item){.part = LOBE_SCENE_MATERIAL,
+                                          .name = is_named ? m->materials[i].name : NO_MATERIAL});
         n->material = lobe_scene_add_material(s, is_named ? read_material(&k, &m->materials[i], n)
                                                           : lobe_fallback_material(options));
     }

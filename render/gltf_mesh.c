@@ -9,9 +9,20 @@ int lobe_gltf_is_made_of_triangles(const gltf_primitive *p) {
     return p->mode >= 4 && p->mode <= 6;
 }
 
+static size_t triangles_of(const gltf_primitive *p, size_t index_count) {
+    if (p->mode == 4) return index_count / 3;
+    return index_count < 3 ? 0 : index_count - 2;
+}
+
 static size_t triangle_count(const gltf_primitive *p, const gltf_arrays *a) {
-    if (p->mode == 4) return a->index_count / 3;
-    return a->index_count < 3 ? 0 : a->index_count - 2;
+    return triangles_of(p, a->index_count);
+}
+
+size_t lobe_gltf_triangle_count(const gltf_model *m, const gltf_primitive *p) {
+    const int indices = p->indices >= 0 ? p->indices : p->accessors[GLTF_POSITION];
+    if (!lobe_gltf_is_made_of_triangles(p) || indices < 0 || (size_t)indices >= m->accessor_count)
+        return 0;
+    return triangles_of(p, m->accessors[indices].count);
 }
 
 /* Corners of a triangle, in the order that faces the viewer; every other one of a strip turns. */
@@ -31,35 +42,6 @@ static vec3 vec3_at(const float *values, size_t i) {
 
 static vec3 finite_or_zero(vec3 v) {
     return v3_is_finite(v) ? v : v3_all(0.0f);
-}
-
-/* ---- Transform ----------------------------------------------------------------------------------- */
-
-/* How normals turn: by the cofactors of the matrix, whose columns are cross products of its own, with
- * the sign of its determinant, so that they stay on their side under a reflection. */
-typedef struct normal_transform {
-    affine cofactors;
-    double sign;
-} normal_transform;
-
-static normal_transform normals_of(const affine *t) {
-    normal_transform n = {lobe_affine_identity(), 1.0};
-    double determinant = 0.0;
-    for (int row = 0; row < 3; row++)
-        for (int column = 0; column < 3; column++) {
-            const int r1 = (row + 1) % 3, r2 = (row + 2) % 3;
-            const int c1 = (column + 1) % 3, c2 = (column + 2) % 3;
-            const double cofactor = t->m[r1][c1] * t->m[r2][c2] - t->m[r1][c2] * t->m[r2][c1];
-            n.cofactors.m[row][column] = cofactor;
-            if (row == 0) determinant += t->m[0][column] * cofactor;
-        }
-    n.sign = determinant < 0.0 ? -1.0 : 1.0;
-    /* the scale is of no matter, but must not leave the range of float */
-    double largest = 0.0;
-    for (int i = 0; i < 9; i++) largest = fmax(largest, fabs(n.cofactors.m[i / 3][i % 3]));
-    for (int i = 0; i < 9; i++)
-        n.cofactors.m[i / 3][i % 3] *= largest > 0.0 ? n.sign / largest : 0.0;
-    return n;
 }
 
 /* ---- Tangents ------------------------------------------------------------------------------------ */
@@ -160,27 +142,55 @@ static void add_triangles(lobe_scene *s, const gltf_primitive *p, const gltf_arr
     }
 }
 
-lobe_render_result lobe_gltf_add_primitive(lobe_scene *s, gltf_reader *r, const gltf_primitive *p,
-                                           const material_needs *needs, const affine *to_world) {
+/* Which arrays the material and the bending need. */
+static void find_wanted(const lobe_scene *s, const material_needs *needs, const gltf_bend *bend,
+                        int wanted[GLTF_SEMANTICS]) {
     const material *m = &s->materials[needs->material];
-    const int needs_tangents = m->normal_map.texture != NO_TEXTURE || m->stretch > 0.0f;
-    int wanted[GLTF_SEMANTICS] = {1, 1, needs_tangents, 1};
+    for (int i = 0; i < GLTF_SEMANTICS; i++) wanted[i] = i >= GLTF_JOINTS && bend->joints != NULL;
+    wanted[GLTF_NORMAL] = wanted[GLTF_COLOR] = 1;
+    wanted[GLTF_TANGENT] = m->normal_map.texture != NO_TEXTURE || m->stretch > 0.0f;
     for (int i = 0; i < 2; i++)
         if (needs->uv_sets[i] >= 0 && needs->uv_sets[i] < GLTF_TEXCOORD_SETS)
             wanted[GLTF_TEXCOORD + needs->uv_sets[i]] = 1;
+}
+
+/* *to_world becomes what is left to do for the arrays. */
+static lobe_render_result bend_arrays(gltf_reader *r, const gltf_primitive *p,
+                                      const gltf_bend *bend, gltf_arrays *a, affine *to_world,
+                                      int *is_mirrored) {
+    lobe_render_result result = lobe_gltf_morph(r, p, bend->weights, bend->weight_count, a);
+    if (result != LOBE_RENDER_OK || !bend->joints) return result;
+    result = lobe_gltf_skin_arrays(r, bend->joints, to_world, a, is_mirrored);
+    *to_world = lobe_affine_identity();
+    return result;
+}
+
+static void add_arrays(lobe_scene *s, const gltf_primitive *p, gltf_arrays *a,
+                       const material_needs *needs, const affine *to_world, int is_mirrored) {
+    const normal_transform turn = lobe_affine_normals(to_world);
+    const uint32_t first = s->vertex_count;
+    for (size_t i = 0; i < a->vertex_count; i++)
+        lobe_scene_add_vertex(s, vertex_at(a, needs, i, to_world, &turn));
+    add_triangles(s, p, a, first, needs->material, (turn.sign < 0.0) != is_mirrored);
+}
+
+lobe_render_result lobe_gltf_add_primitive(lobe_scene *s, gltf_reader *r, const gltf_primitive *p,
+                                           const material_needs *needs, const affine *to_world,
+                                           const gltf_bend *bend) {
+    int wanted[GLTF_SEMANTICS], is_mirrored = 0;
+    affine rest = *to_world;
     gltf_arrays a;
+    find_wanted(s, needs, bend, wanted);
     lobe_render_result result = lobe_gltf_arrays_read(r, p, wanted, &a);
     if (result == LOBE_RENDER_OK && a.vertex_count > VERTICES_MAX - s->vertex_count)
         result = lobe_fail(LOBE_RENDER_BAD_INPUT, "%s: more than %d vertices; split the scene",
                            r->path, VERTICES_MAX);
+    if (result == LOBE_RENDER_OK) result = bend_arrays(r, p, bend, &a, &rest, &is_mirrored);
     if (result == LOBE_RENDER_OK) {
-        if (needs_tangents && !a.values[GLTF_TANGENT])
-            a.values[GLTF_TANGENT] = make_tangents(p, &a, &m->normal_map, needs->uv_sets[0]);
-        const normal_transform turn = normals_of(to_world);
-        const uint32_t first = s->vertex_count;
-        for (size_t i = 0; i < a.vertex_count; i++)
-            lobe_scene_add_vertex(s, vertex_at(&a, needs, i, to_world, &turn));
-        add_triangles(s, p, &a, first, needs->material, turn.sign < 0.0);
+        if (wanted[GLTF_TANGENT] && !a.values[GLTF_TANGENT])
+            a.values[GLTF_TANGENT] =
+                make_tangents(p, &a, &s->materials[needs->material].normal_map, needs->uv_sets[0]);
+        add_arrays(s, p, &a, needs, &rest, is_mirrored);
     }
     lobe_gltf_arrays_free(&a);
     return result;

@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <cstring>
 #include <exception>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -145,10 +146,12 @@ gltf_accessor plain(const tinygltf::Accessor &a) {
                         : a.type == TINYGLTF_TYPE_VEC2 ? 2
                         : a.type == TINYGLTF_TYPE_VEC3 ? 3
                         : a.type == TINYGLTF_TYPE_VEC4 ? 4
+                        : a.type == TINYGLTF_TYPE_MAT4 ? 16
                                                        : 0;
     accessor.offset = a.byteOffset;
     accessor.count = a.count;
     accessor.is_normalized = a.normalized;
+    accessor.greatest = a.maxValues.empty() ? 0.0 : a.maxValues[0];
     accessor.is_sparse = a.sparse.isSparse;
     if (!a.sparse.isSparse) return accessor;
     accessor.sparse_count = offset_of(a.sparse.count);
@@ -162,8 +165,37 @@ gltf_accessor plain(const tinygltf::Accessor &a) {
 
 std::string semantic_name(int semantic) {
     static const char *const names[] = {"POSITION", "NORMAL", "TANGENT", "COLOR_0"};
-    return semantic < GLTF_TEXCOORD ? names[semantic]
-                                    : "TEXCOORD_" + std::to_string(semantic - GLTF_TEXCOORD);
+    if (semantic < GLTF_TEXCOORD) return names[semantic];
+    if (semantic < GLTF_JOINTS) return "TEXCOORD_" + std::to_string(semantic - GLTF_TEXCOORD);
+    return semantic < GLTF_WEIGHTS ? "JOINTS_" + std::to_string(semantic - GLTF_JOINTS)
+                                   : "WEIGHTS_" + std::to_string(semantic - GLTF_WEIGHTS);
+}
+
+int find_accessor(const std::map<std::string, int> &attributes, const std::string &name) {
+    const auto found = attributes.find(name);
+    return found != attributes.end() ? found->second : -1;
+}
+
+gltf_target plain(const std::map<std::string, int> &attributes) {
+    gltf_target target = {};
+    for (int s = 0; s < GLTF_MORPHED; s++)
+        target.accessors[s] = find_accessor(attributes, semantic_name(s));
+    return target;
+}
+
+/* Attributes that nobody reads; those of an application, with an underscore, are none of ours. */
+bool has_more(const tinygltf::Primitive &p) {
+    const auto is_known = [](const std::string &name, int count) {
+        for (int s = 0; s < count; s++)
+            if (semantic_name(s) == name) return true;
+        return name.empty() || name[0] == '_';
+    };
+    for (const auto &attribute : p.attributes)
+        if (!is_known(attribute.first, GLTF_SEMANTICS)) return true;
+    for (const auto &target : p.targets)
+        for (const auto &attribute : target)
+            if (!is_known(attribute.first, GLTF_MORPHED)) return true;
+    return false;
 }
 
 gltf_primitive plain(const tinygltf::Primitive &p) {
@@ -171,14 +203,13 @@ gltf_primitive plain(const tinygltf::Primitive &p) {
     primitive.indices = p.indices;
     primitive.material = p.material;
     primitive.mode = p.mode;
-    primitive.has_targets = !p.targets.empty();
+    primitive.has_more = has_more(p);
     const Value *draco = find(p.extensions, "KHR_draco_mesh_compression");
     const Value *attributes = member(draco, "attributes");
     primitive.draco_view = draco ? std::max(integer(draco, "bufferView", -1), -1) : -1;
     for (int s = 0; s < GLTF_SEMANTICS; s++) {
         const std::string name = semantic_name(s);
-        const auto found = p.attributes.find(name);
-        primitive.accessors[s] = found != p.attributes.end() ? found->second : -1;
+        primitive.accessors[s] = find_accessor(p.attributes, name);
         primitive.draco_ids[s] = integer(attributes, name.c_str(), -1);
     }
     return primitive;
@@ -200,7 +231,39 @@ gltf_node plain(const tinygltf::Node &n) {
     copy(n.translation, node.translation, 3);
     copy(n.rotation, node.rotation, 4);
     copy(n.scale, node.scale, 3);
+    node.weights = n.weights.data();
+    node.weight_count = n.weights.size();
+    const Value *instances = find(n.extensions, "EXT_mesh_gpu_instancing");
+    const Value *attributes = member(instances, "attributes");
+    node.is_instanced = instances != nullptr;
+    node.instances[GLTF_TRANSLATION] = integer(attributes, "TRANSLATION", -1);
+    node.instances[GLTF_ROTATION] = integer(attributes, "ROTATION", -1);
+    node.instances[GLTF_SCALE] = integer(attributes, "SCALE", -1);
     return node;
+}
+
+gltf_skin plain(const tinygltf::Skin &s) {
+    return {s.inverseBindMatrices, s.joints.data(), s.joints.size()};
+}
+
+gltf_channel plain(const tinygltf::AnimationChannel &c,
+                   const std::vector<tinygltf::AnimationSampler> &samplers) {
+    gltf_channel channel = {};
+    channel.node = c.target_node;
+    channel.path = c.target_path == "translation" ? GLTF_TRANSLATION
+                   : c.target_path == "rotation"  ? GLTF_ROTATION
+                   : c.target_path == "scale"     ? GLTF_SCALE
+                   : c.target_path == "weights"   ? GLTF_MORPH
+                                                  : GLTF_NO_PATH;
+    channel.input = channel.output = -1;
+    if (c.sampler < 0 || static_cast<std::size_t>(c.sampler) >= samplers.size()) return channel;
+    const tinygltf::AnimationSampler &sampler = samplers[static_cast<std::size_t>(c.sampler)];
+    channel.input = sampler.input;
+    channel.output = sampler.output;
+    channel.interpolation = sampler.interpolation == "STEP"          ? GLTF_STEP
+                            : sampler.interpolation == "CUBICSPLINE" ? GLTF_CUBIC
+                                                                     : GLTF_LINEAR;
+    return channel;
 }
 
 gltf_texture_use use_of(int index, int uv_set, const Value *transform) {
@@ -226,6 +289,7 @@ gltf_texture_use use_of(const Value *info) {
 
 gltf_material plain(const tinygltf::Material &m) {
     gltf_material material = {};
+    material.name = m.name.c_str();
     copy(m.pbrMetallicRoughness.baseColorFactor, material.base_color, 4);
     material.metallic = m.pbrMetallicRoughness.metallicFactor;
     material.roughness = m.pbrMetallicRoughness.roughnessFactor;
@@ -283,7 +347,7 @@ gltf_texture plain(const tinygltf::Texture &t, const std::vector<tinygltf::Sampl
 }
 
 gltf_image plain(const tinygltf::Image &i) {
-    return {i.uri.c_str(), i.bufferView, {i.image.data(), i.image.size()}};
+    return {i.name.c_str(), i.uri.c_str(), i.bufferView, {i.image.data(), i.image.size()}};
 }
 
 gltf_camera plain(const tinygltf::Camera &c) {
@@ -292,6 +356,7 @@ gltf_camera plain(const tinygltf::Camera &c) {
 
 gltf_light plain(const tinygltf::Light &l) {
     gltf_light light = {};
+    light.name = l.name.c_str();
     light.kind = l.type == "point"         ? GLTF_LIGHT_POINT
                  : l.type == "spot"        ? GLTF_LIGHT_SPOT
                  : l.type == "directional" ? GLTF_LIGHT_DIRECTIONAL
@@ -313,7 +378,9 @@ struct document : gltf_model {
     std::vector<gltf_bytes> all_buffers;
     std::vector<gltf_view> all_views;
     std::vector<gltf_accessor> all_accessors;
+    std::vector<std::vector<gltf_target>> all_targets;
     std::vector<std::vector<gltf_primitive>> all_primitives;
+    std::vector<std::vector<gltf_channel>> all_channels;
     std::vector<gltf_mesh> all_meshes;
     std::vector<gltf_node> all_nodes;
     std::vector<gltf_material> all_materials;
@@ -321,7 +388,9 @@ struct document : gltf_model {
     std::vector<gltf_image> all_images;
     std::vector<gltf_camera> all_cameras;
     std::vector<gltf_light> all_lights;
-    std::vector<const char *> all_extensions;
+    std::vector<gltf_skin> all_skins;
+    std::vector<gltf_animation> all_animations;
+    std::vector<const char *> all_extensions, all_required;
     std::vector<int> all_roots;
 };
 
@@ -352,26 +421,56 @@ void find_roots(document &d) {
     d.root_count = d.all_roots.size();
 }
 
+void describe_meshes(document &d) {
+    for (const tinygltf::Mesh &mesh : d.source.meshes) {
+        std::vector<gltf_primitive> primitives;
+        for (const tinygltf::Primitive &p : mesh.primitives) {
+            std::vector<gltf_target> targets;
+            for (const auto &target : p.targets) targets.push_back(plain(target));
+            d.all_targets.push_back(std::move(targets));
+            primitives.push_back(plain(p));
+            primitives.back().targets = d.all_targets.back().data();
+            primitives.back().target_count = d.all_targets.back().size();
+        }
+        d.all_primitives.push_back(std::move(primitives));
+        d.all_meshes.push_back({mesh.name.c_str(), d.all_primitives.back().data(),
+                                d.all_primitives.back().size(), mesh.weights.data(),
+                                mesh.weights.size()});
+    }
+    d.meshes = d.all_meshes.data();
+    d.mesh_count = d.all_meshes.size();
+}
+
+void describe_animations(document &d) {
+    for (const tinygltf::Animation &a : d.source.animations) {
+        std::vector<gltf_channel> channels;
+        for (const tinygltf::AnimationChannel &c : a.channels)
+            channels.push_back(plain(c, a.samplers));
+        d.all_channels.push_back(std::move(channels));
+        d.all_animations.push_back(
+            {a.name.c_str(), d.all_channels.back().data(), d.all_channels.back().size()});
+    }
+    d.animations = d.all_animations.data();
+    d.animation_count = d.all_animations.size();
+}
+
 void describe(document &d) {
     const tinygltf::Model &m = d.source;
     for (const tinygltf::Buffer &b : m.buffers)
         d.all_buffers.push_back({b.data.data(), b.data.size()});
     d.buffers = d.all_buffers.data();
     d.buffer_count = d.all_buffers.size();
-    for (const tinygltf::Mesh &mesh : m.meshes) {
-        std::vector<gltf_primitive> primitives;
-        for (const tinygltf::Primitive &p : mesh.primitives) primitives.push_back(plain(p));
-        d.all_primitives.push_back(std::move(primitives));
-        d.all_meshes.push_back({d.all_primitives.back().data(), d.all_primitives.back().size()});
-    }
-    d.meshes = d.all_meshes.data();
-    d.mesh_count = d.all_meshes.size();
+    describe_meshes(d);
+    describe_animations(d);
     for (const tinygltf::Texture &t : m.textures) d.all_textures.push_back(plain(t, m.samplers));
     d.textures = d.all_textures.data();
     d.texture_count = d.all_textures.size();
     for (const std::string &name : m.extensionsUsed) d.all_extensions.push_back(name.c_str());
     d.extensions = d.all_extensions.data();
     d.extension_count = d.all_extensions.size();
+    for (const std::string &name : m.extensionsRequired) d.all_required.push_back(name.c_str());
+    d.required = d.all_required.data();
+    d.required_count = d.all_required.size();
     convert(m.bufferViews, d.all_views, d.views, d.view_count);
     convert(m.accessors, d.all_accessors, d.accessors, d.accessor_count);
     convert(m.nodes, d.all_nodes, d.nodes, d.node_count);
@@ -379,7 +478,7 @@ void describe(document &d) {
     convert(m.images, d.all_images, d.images, d.image_count);
     convert(m.cameras, d.all_cameras, d.cameras, d.camera_count);
     convert(m.lights, d.all_lights, d.lights, d.light_count);
-    d.animation_count = m.animations.size();
+    convert(m.skins, d.all_skins, d.skins, d.skin_count);
     find_roots(d);
 }
 

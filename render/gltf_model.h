@@ -38,10 +38,14 @@ typedef struct gltf_view {
     size_t count; /* of packed elements */
 } gltf_view;
 
+enum { GLTF_MATRIX = 16 };
+
 typedef struct gltf_accessor {
-    int view, component, channels; /* component: 5120 … 5126; channels: 0 is no scalar or vector */
+    int view, component; /* 5120 … 5126 */
+    int channels;        /* 1 to 4, GLTF_MATRIX: 4 x 4 by columns; 0: none of these */
     size_t offset, count;
     int is_normalized, is_sparse;
+    double greatest; /* of the first channel, as the file says; 0: it does not */
     size_t sparse_count;
     int index_view, index_component, value_view;
     size_t index_offset, value_offset;
@@ -54,30 +58,74 @@ enum {
     GLTF_COLOR,
     GLTF_TEXCOORD,
     GLTF_TEXCOORD_SETS = 8,
-    GLTF_SEMANTICS = GLTF_TEXCOORD + GLTF_TEXCOORD_SETS
+    GLTF_JOINTS = GLTF_TEXCOORD + GLTF_TEXCOORD_SETS,
+    GLTF_JOINT_SETS = 2, /* of four joints each */
+    GLTF_WEIGHTS = GLTF_JOINTS + GLTF_JOINT_SETS,
+    GLTF_SEMANTICS = GLTF_WEIGHTS + GLTF_JOINT_SETS
 };
+
+/* A morph target: accessors of what is added to GLTF_POSITION, GLTF_NORMAL, GLTF_TANGENT. */
+enum { GLTF_MORPHED = GLTF_TANGENT + 1 };
+typedef struct gltf_target {
+    int accessors[GLTF_MORPHED];
+} gltf_target;
 
 typedef struct gltf_primitive {
     int accessors[GLTF_SEMANTICS];
     int indices, material, mode;
     int draco_view;
     int draco_ids[GLTF_SEMANTICS];
-    int has_targets;
+    const gltf_target *targets;
+    size_t target_count;
+    int has_more; /* joints, colours or morphed attributes beyond those above */
 } gltf_primitive;
 
 typedef struct gltf_mesh {
+    const char *name;
     const gltf_primitive *primitives;
     size_t primitive_count;
+    const double *weights; /* of the morph targets */
+    size_t weight_count;
 } gltf_mesh;
+
+typedef struct gltf_skin {
+    int inverse_bind;  /* accessor of matrices */
+    const int *joints; /* nodes */
+    size_t joint_count;
+} gltf_skin;
+
+typedef enum gltf_path {
+    GLTF_TRANSLATION,
+    GLTF_ROTATION,
+    GLTF_SCALE,
+    GLTF_MORPH,
+    GLTF_NO_PATH
+} gltf_path;
+typedef enum gltf_interpolation { GLTF_STEP, GLTF_LINEAR, GLTF_CUBIC } gltf_interpolation;
+
+typedef struct gltf_channel {
+    int node, input, output; /* input, output: accessors */
+    gltf_path path;
+    gltf_interpolation interpolation;
+} gltf_channel;
+
+typedef struct gltf_animation {
+    const char *name;
+    const gltf_channel *channels;
+    size_t channel_count;
+} gltf_animation;
 
 typedef struct gltf_node {
     const char *name;
     int mesh, camera, skin, light;
+    int is_instanced, instances[3]; /* EXT_mesh_gpu_instancing: accessors by gltf_path */
     const int *children;
     size_t child_count;
     int has_matrix;
     double matrix[16]; /* by columns */
     double translation[3], rotation[4], scale[3];
+    const double *weights;
+    size_t weight_count; /* 0: those of the mesh */
 } gltf_node;
 
 typedef struct gltf_texture_use {
@@ -88,6 +136,7 @@ typedef struct gltf_texture_use {
 typedef enum gltf_alpha { GLTF_OPAQUE, GLTF_MASK, GLTF_BLEND } gltf_alpha;
 
 typedef struct gltf_material {
+    const char *name;
     double base_color[4], metallic, roughness;
     double emission[3], emissive_strength;
     double normal_scale, alpha_cutoff;
@@ -109,6 +158,7 @@ typedef struct gltf_texture {
 } gltf_texture;
 
 typedef struct gltf_image {
+    const char *name;
     const char *uri; /* "" where the picture is in the file */
     int view;
     gltf_bytes bytes; /* from a data URI or a file beside; not decoded */
@@ -128,6 +178,7 @@ typedef enum gltf_light_kind {
 } gltf_light_kind;
 
 typedef struct gltf_light {
+    const char *name;
     gltf_light_kind kind;
     double color[3], intensity, range, inner_angle, outer_angle;
 } gltf_light;
@@ -143,11 +194,13 @@ typedef struct gltf_model {
     const gltf_image *images;
     const gltf_camera *cameras;
     const gltf_light *lights;
-    const char *const *extensions; /* used */
-    const int *roots;              /* nodes of the scene that is shown */
+    const gltf_skin *skins;
+    const gltf_animation *animations;
+    const char *const *extensions, *const *required; /* extensions used, and those that must be */
+    const int *roots;                                /* nodes of the scene that is shown */
     size_t buffer_count, view_count, accessor_count, mesh_count, node_count, material_count,
-        texture_count, image_count, camera_count, light_count, extension_count, root_count;
-    size_t animation_count;
+        texture_count, image_count, camera_count, light_count, skin_count, animation_count,
+        extension_count, required_count, root_count;
 } gltf_model;
 
 /* Read a .glb file in memory; buffers and textures lie in `folder` ("" or with a slash at its end).

@@ -44,9 +44,17 @@ static XXH64_hash_t hash_sky(const lobe_scene *s) {
 
 /* What was read, not the files: a scene that moved is the same scene. None of these structures has padding. */
 static void add_scene(char *text, const lobe_scene *s, const camera *c) {
-    const XXH64_hash_t places = XXH3_64bits(s->vertices, s->vertex_count * sizeof *s->vertices);
+    if (isfinite(s->frame_time)) add_line(text, "frame-time %.17g\n", s->frame_time);
+    const XXH64_hash_t places =
+        XXH3_64bits(s->vertices, (size_t)s->vertex_count * sizeof *s->vertices);
+    const XXH64_hash_t shapes = XXH3_64bits(s->shapes, (size_t)s->shape_count * sizeof *s->shapes);
+    if (s->instance_count)
+        add_hash(text, "instances",
+                 XXH3_64bits_withSeed(s->instances,
+                                      (size_t)s->instance_count * sizeof *s->instances, shapes));
     add_hash(text, "triangles",
-             XXH3_64bits_withSeed(s->triangles, s->triangle_count * sizeof *s->triangles, places));
+             XXH3_64bits_withSeed(s->triangles, (size_t)s->triangle_count * sizeof *s->triangles,
+                                  places));
     add_hash(text, "materials",
              XXH3_64bits(s->materials, s->material_count * sizeof *s->materials));
     add_hash(text, "textures", hash_textures(s));

@@ -10,6 +10,7 @@
 #include "image.h"
 #include "import_camera.h"
 #include "import_texture.h"
+#include "inventory.h"
 #include "scene.h"
 
 static const char MATKEY_ANISOTROPY[] = "$mat.anisotropyFactor";
@@ -107,6 +108,15 @@ static vertex read_vertex(const struct aiMesh *mesh, unsigned i) {
 static void read_mesh(importer *k, const struct aiMesh *mesh) {
     uint32_t first = k->scene->vertex_count;
     uint32_t m = k->first_material + mesh->mMaterialIndex;
+    char words[WORDS_ROOM] = "";
+    lobe_add_word(words, mesh->mNormals != NULL, "normals");
+    lobe_add_word(words, mesh->mColors[0] != NULL, "colours");
+    lobe_add_word(words, mesh->mTextureCoords[0] != NULL, "texture coordinates");
+    lobe_scene_note(k->scene, (lobe_scene_item){.part = LOBE_SCENE_MESH,
+                                                .name = mesh->mName.data,
+                                                .about = words,
+                                                .count = mesh->mNumFaces,
+                                                .uses = 1});
     if (m >= k->scene->material_count) m = k->first_material;
     for (unsigned i = 0; i < mesh->mNumVertices; i++)
         lobe_scene_add_vertex(k->scene, read_vertex(mesh, i));
@@ -120,8 +130,14 @@ static void read_mesh(importer *k, const struct aiMesh *mesh) {
 
 static void read_scene(importer *k) {
     k->first_material = k->scene->material_count;
-    for (unsigned i = 0; i < k->file->mNumMaterials; i++)
+    for (unsigned i = 0; i < k->file->mNumMaterials; i++) {
+        struct aiString name = {0};
+        aiGetMaterialString(k->file->mMaterials[i], AI_MATKEY_NAME, &name);
+        lobe_scene_note(k->scene,
+                        (lobe_scene_item){.part = LOBE_SCENE_MATERIAL,
+                                          .name = is_fallback(k, i) ? NO_MATERIAL : name.data});
         lobe_scene_add_material(k->scene, read_material(k, i));
+    }
     if (k->file->mNumMaterials == 0)
         lobe_scene_add_material(k->scene, lobe_fallback_material(k->options));
     for (unsigned i = 0; i < k->file->mNumMeshes; i++) read_mesh(k, k->file->mMeshes[i]);
@@ -148,7 +164,7 @@ lobe_render_result lobe_scene_import(lobe_scene *s, const char *path,
         return lobe_scene_import_gltf(s, path, options);
     const unsigned steps = aiProcess_Triangulate | aiProcess_GenSmoothNormals |
                            aiProcess_CalcTangentSpace | aiProcess_PreTransformVertices |
-                           aiProcess_SortByPType;
+                           aiProcess_SortByPType | aiProcess_JoinIdenticalVertices;
     importer k = {.scene = s, .options = options, .path = path};
     k.file = aiImportFile(path, aiProcess_ValidateDataStructure);
     if (k.file) {

@@ -7,6 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "inventory.h"
+
 static int read_embedded(const struct aiTexture *embedded, texture *t, int is_srgb) {
     if (embedded->mHeight == 0)
         return lobe_texture_read_memory(t, embedded->pcData, embedded->mWidth, is_srgb);
@@ -79,6 +81,7 @@ void lobe_import_missing_texture(lobe_scene *s, const char *path, const char *na
 int lobe_import_magenta(lobe_scene *s, int is_srgb) {
     texture t;
     if (!is_srgb || !lobe_texture_solid(&t, v3(1.0f, 0.0f, 1.0f), 1)) return NO_TEXTURE;
+    lobe_scene_note(s, (lobe_scene_item){.part = LOBE_SCENE_TEXTURE, .name = "(missing)"});
     return lobe_scene_add_texture(s, t);
 }
 
@@ -86,8 +89,10 @@ static int read_new(texture_reader *r, const char *name, int is_srgb) {
     const struct aiTexture *embedded = find_embedded(r->file, name);
     texture t;
     if (embedded ? read_embedded(embedded, &t, is_srgb)
-                 : lobe_import_texture_beside(r->path, name, &t, is_srgb))
+                 : lobe_import_texture_beside(r->path, name, &t, is_srgb)) {
+        lobe_scene_note(r->scene, (lobe_scene_item){.part = LOBE_SCENE_TEXTURE, .name = name});
         return lobe_scene_add_texture(r->scene, t);
+    }
     lobe_import_missing_texture(r->scene, r->path, name);
     return lobe_import_magenta(r->scene, is_srgb);
 }

@@ -1,5 +1,7 @@
 #include "integrator.h"
 
+#include "hit.h"
+
 /* A hit, ready to shade. */
 typedef struct hit_point {
     vec3 position, geometric; /* geometric: toward the viewer */
@@ -33,10 +35,6 @@ static vec3 sample_map(const lobe_scene *s, const texture_map *map, const hit_po
                        vec3 missing) {
     if (map->texture == NO_TEXTURE) return missing;
     return lobe_texture_at(&s->textures[map->texture], map, h->u[map->uv_set], h->v[map->uv_set]);
-}
-
-static vec3 interpolate(const vec3 a, const vec3 b, const vec3 c, float u, float v) {
-    return v3_add(v3_scale(a, 1.0f - u - v), v3_add(v3_scale(b, u), v3_scale(c, v)));
 }
 
 /* What the colours of the vertices take away. */
@@ -81,30 +79,28 @@ static vec3 mapped_normal(const lobe_scene *s, const hit_point *h, const texture
 }
 
 static hit_point hit_point_of(const lobe_scene *s, const ray_hit *hit, vec3 direction) {
-    const triangle *t = &s->triangles[hit->triangle];
+    const hit_geometry g = hit_geometry_of(s, hit);
+    const triangle *t = g.triangle;
     const vertex *a = &s->vertices[t->vertex[0]], *b = &s->vertices[t->vertex[1]],
                  *c = &s->vertices[t->vertex[2]];
     float u = hit->u, v = hit->v, w = 1.0f - u - v;
-    hit_point h = {
-        .distance = hit->distance, .triangle = t, .material = &s->materials[t->material]};
+    hit_point h = {.distance = hit->distance,
+                   .position = g.position,
+                   .triangle = t,
+                   .material = &s->materials[t->material]};
     h.u[0] = w * a->u + u * b->u + v * c->u;
     h.v[0] = w * a->v + u * b->v + v * c->v;
     h.u[1] = w * a->u1 + u * b->u1 + v * c->u1;
     h.v[1] = w * a->v1 + u * b->v1 + v * c->v1;
-    h.darkening = interpolate(darkening_of(a), darkening_of(b), darkening_of(c), u, v);
-    h.position = interpolate(a->position, b->position, c->position, u, v);
-    vec3 edge = v3_sub(b->position, a->position), other = v3_sub(c->position, a->position);
-    vec3 face = v3_normalize_or(v3_cross(edge, other), v3(0.0f, 1.0f, 0.0f));
+    h.darkening = hit_mean(darkening_of(a), darkening_of(b), darkening_of(c), u, v);
     /* surfaces are two-sided: both normals turn with the side that is seen */
-    float side = v3_dot(face, direction) > 0.0f ? -1.0f : 1.0f;
-    h.geometric = v3_scale(face, side);
-    vec3 normal = v3_normalize_or(interpolate(a->normal, b->normal, c->normal, u, v), face);
-    vec3 tangent = interpolate(a->tangent, b->tangent, c->tangent, u, v);
-    h.smooth = frame_of(normal, tangent);
-    h.handedness = a->handedness;
+    float side = v3_dot(g.face, direction) > 0.0f ? -1.0f : 1.0f;
+    h.geometric = v3_scale(g.face, side);
+    h.smooth = frame_of(v3_normalize_or(g.normal, g.face), g.tangent);
+    h.handedness = g.handedness;
     vec3 mapped = mapped_normal(s, &h, &h.material->normal_map, h.material->normal_scale);
-    h.shading = frame_of(v3_scale(mapped, side), tangent);
-    h.turn = side * a->handedness;
+    h.shading = frame_of(v3_scale(mapped, side), g.tangent);
+    h.turn = side * g.handedness;
     h.is_back = side < 0.0f;
     h.emission = h.material->is_unlit
                      ? base_color_at(s, &h)
@@ -317,7 +313,7 @@ static light_sample draw_lamp(const lobe_scene *s, vec3 from, sampler_point poin
     float root = sqrtf(sampler_unit(point.bits[2])), v = sampler_unit(point.bits[3]) * root;
     vec3 a = s->vertices[t->vertex[0]].position, b = s->vertices[t->vertex[1]].position,
          c = s->vertices[t->vertex[2]].position;
-    vec3 place = interpolate(a, b, c, root - v, v);
+    vec3 place = hit_mean(a, b, c, root - v, v);
     vec3 to = v3_sub(place, from);
     light_sample l = {.distance = v3_length(to)};
     l.direction = v3_normalize_or(to, v3(0.0f, 1.0f, 0.0f));

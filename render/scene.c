@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "inventory.h"
+
 /* Room for one more element of a growing array; 0: no memory. */
 static int grow(void **array, uint32_t count, uint32_t *room, size_t size) {
     if (count < *room) return 1;
@@ -40,6 +42,14 @@ uint32_t lobe_scene_add_lamp(lobe_scene *s, lamp l) {
     APPEND(s, lamps, lamp, l);
 }
 
+static uint32_t append_shape(lobe_scene *s, shape range) {
+    APPEND(s, shapes, shape, range);
+}
+
+static uint32_t append_instance(lobe_scene *s, instance i) {
+    APPEND(s, instances, instance, i);
+}
+
 static uint32_t append_triangle(lobe_scene *s, triangle t) {
     APPEND(s, triangles, triangle, t);
 }
@@ -66,6 +76,25 @@ void lobe_scene_add_camera(lobe_scene *s, const char *name, vec3 position, vec3 
 
 static float area_of(vec3 a, vec3 b, vec3 c) {
     return 0.5f * v3_length(v3_cross(v3_sub(b, a), v3_sub(c, a)));
+}
+
+uint32_t lobe_scene_add_shape(lobe_scene *s, uint32_t first) {
+    return append_shape(s, (shape){first, s->triangle_count - first});
+}
+
+/* What a determinant may be, so that the inverse keeps a float's digits and range. */
+static const double DETERMINANT_MIN = 1e-24, DETERMINANT_MAX = 1e24;
+
+int lobe_scene_add_instance(lobe_scene *s, uint32_t shape, const affine *to_world) {
+    const normal_transform turn = lobe_affine_normals(to_world);
+    if (!lobe_affine_is_finite(to_world) || !(turn.determinant > DETERMINANT_MIN) ||
+        !(turn.determinant < DETERMINANT_MAX))
+        return 0;
+    instance i = {.shape = shape, .sign = (float)turn.sign};
+    for (int k = 0; k < 12; k++) i.to_world[k] = (float)to_world->m[k % 3][k / 3];
+    for (int k = 0; k < 9; k++) i.normals[k] = (float)turn.cofactors.m[k % 3][k / 3];
+    append_instance(s, i);
+    return 1;
 }
 
 /* A triangle that has no area or is not finite would poison the tree: dropped and counted. */
@@ -116,7 +145,8 @@ material lobe_fallback_material(const lobe_scene_options *o) {
 
 lobe_scene_options lobe_scene_default_options(void) {
     return (lobe_scene_options){.default_base_color = {0.8f, 0.8f, 0.8f},
-                                .default_roughness = 0.5f};
+                                .default_roughness = 0.5f,
+                                .frame_time = (double)NAN};
 }
 
 void lobe_scene_free(lobe_scene *s) {
@@ -125,8 +155,11 @@ void lobe_scene_free(lobe_scene *s) {
     for (uint32_t i = 0; i < s->texture_count; i++) lobe_texture_free(&s->textures[i]);
     if (s->has_sky) lobe_environment_free(&s->sky);
     lobe_alias_free(&s->light_table);
+    lobe_inventory_free(&s->inventory);
     free(s->vertices);
     free(s->triangles);
+    free(s->shapes);
+    free(s->instances);
     free(s->materials);
     free(s->textures);
     free(s->cameras);
@@ -137,7 +170,7 @@ void lobe_scene_free(lobe_scene *s) {
 }
 
 /* What varies over a triangle (a texture, the opacity) is left to the paths that meet it. */
-static int is_even_light(const material *m) {
+int lobe_is_even_light(const material *m) {
     return v3_max(m->emission) > 0.0f && m->emission_map.texture == NO_TEXTURE &&
            m->alpha_mode == ALPHA_OPAQUE && !m->is_unlit;
 }
@@ -154,16 +187,30 @@ static double power_of_lamp(const lobe_scene *s, const lamp *l) {
 /* Sums of powers stay finite, whatever a file says. */
 static const double POWER_MAX = 1e60;
 
+/* The first triangle that lies in the world. */
+static uint32_t world_of(const lobe_scene *s) {
+    const shape *last = s->shape_count ? &s->shapes[s->shape_count - 1] : NULL;
+    return last ? last->first + last->count : 0;
+}
+
+static size_t count_lights(const lobe_scene *s) {
+    size_t count = 0;
+    for (uint32_t i = world_of(s); i < s->triangle_count; i++)
+        count += (size_t)lobe_is_even_light(&s->materials[s->triangles[i].material]);
+    return count;
+}
+
 /* Lights are chosen by power. */
 static int collect_lights(lobe_scene *s) {
-    s->lights = malloc((s->triangle_count + 1) * sizeof *s->lights);
-    s->light_areas = malloc((s->triangle_count + 1) * sizeof *s->light_areas);
-    double *powers = malloc(((size_t)s->triangle_count + s->lamp_count + 1) * sizeof *powers);
+    const size_t count = count_lights(s);
+    s->lights = malloc((count + 1) * sizeof *s->lights);
+    s->light_areas = malloc((count + 1) * sizeof *s->light_areas);
+    double *powers = malloc((count + s->lamp_count + 1) * sizeof *powers);
     int ok = s->lights && s->light_areas && powers;
-    for (uint32_t i = 0; ok && i < s->triangle_count; i++) {
+    for (uint32_t i = world_of(s); ok && i < s->triangle_count; i++) {
         triangle *t = &s->triangles[i];
         const material *m = &s->materials[t->material];
-        if (!is_even_light(m)) continue;
+        if (!lobe_is_even_light(m)) continue;
         float area = area_of(s->vertices[t->vertex[0]].position, s->vertices[t->vertex[1]].position,
                              s->vertices[t->vertex[2]].position);
         t->light = (int32_t)s->light_count;
@@ -185,24 +232,72 @@ static int is_scene_opaque(const lobe_scene *s) {
     return 1;
 }
 
-static void find_bounds(lobe_scene *s) {
-    s->low = v3_all(INFINITY);
-    s->high = v3_all(-INFINITY);
-    for (uint32_t i = 0; i < s->triangle_count; i++)
-        for (int k = 0; k < 3; k++) {
-            vec3 p = s->vertices[s->triangles[i].vertex[k]].position;
-            s->low = v3(fminf(s->low.x, p.x), fminf(s->low.y, p.y), fminf(s->low.z, p.z));
-            s->high = v3(fmaxf(s->high.x, p.x), fmaxf(s->high.y, p.y), fmaxf(s->high.z, p.z));
-        }
+typedef struct bounds {
+    vec3 low, high;
+} bounds;
+
+static const bounds nowhere = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+
+static void enclose(bounds *b, vec3 p) {
+    b->low = v3(fminf(b->low.x, p.x), fminf(b->low.y, p.y), fminf(b->low.z, p.z));
+    b->high = v3(fmaxf(b->high.x, p.x), fmaxf(b->high.y, p.y), fmaxf(b->high.z, p.z));
 }
 
-/* Looks at the whole scene from the front, a little from above. */
+static bounds bounds_of(const lobe_scene *s, uint32_t first, uint32_t end) {
+    bounds b = nowhere;
+    for (uint32_t i = first; i < end; i++)
+        for (int k = 0; k < 3; k++) enclose(&b, s->vertices[s->triangles[i].vertex[k]].position);
+    return b;
+}
+
+/* The corners of a shape's box, moved. */
+static void enclose_instance(bounds *b, const bounds *box, const instance *i) {
+    for (int corner = 0; corner < 8; corner++) {
+        const vec3 p = {corner & 1 ? box->high.x : box->low.x,
+                        corner & 2 ? box->high.y : box->low.y,
+                        corner & 4 ? box->high.z : box->low.z};
+        enclose(b, lobe_instance_point(i, p));
+    }
+}
+
+/* 0: no memory. */
+static int find_bounds(lobe_scene *s) {
+    bounds all = bounds_of(s, world_of(s), s->triangle_count);
+    bounds *boxes = malloc(((size_t)s->shape_count + 1) * sizeof *boxes);
+    if (!boxes) return 0;
+    for (uint32_t i = 0; i < s->shape_count; i++)
+        boxes[i] = bounds_of(s, s->shapes[i].first, s->shapes[i].first + s->shapes[i].count);
+    for (uint32_t i = 0; i < s->instance_count; i++)
+        enclose_instance(&all, &boxes[s->instances[i].shape], &s->instances[i]);
+    free(boxes);
+    s->low = all.low;
+    s->high = all.high;
+    return 1;
+}
+
+/* How far from `centre`, in the direction of f->z, a square picture has to be taken to hold the whole box:
+ * `slope` is the tangent of half its angle. */
+static float distance_to_hold(const lobe_scene *s, vec3 centre, const frame *f, float slope) {
+    float distance = 0.0f;
+    for (int corner = 0; corner < 8; corner++) {
+        const vec3 p = {corner & 1 ? s->high.x : s->low.x, corner & 2 ? s->high.y : s->low.y,
+                        corner & 4 ? s->high.z : s->low.z};
+        const vec3 local = frame_to_local(f, v3_sub(p, centre));
+        const float aside = fmaxf(fabsf(local.x), fabsf(local.y));
+        distance = fmaxf(distance, local.z + aside / slope);
+    }
+    return distance;
+}
+
+/* Looks at the whole scene from the front, a little from above, with some room around it. */
 static void frame_automatically(lobe_scene *s) {
-    vec3 centre = v3_lerp(s->low, s->high, 0.5f);
-    float radius = fmaxf(0.5f * v3_length(v3_sub(s->high, s->low)), 1e-6f);
-    vec3 from = v3_normalize_or(v3(0.45f, 0.35f, 1.0f), v3(0.0f, 0.0f, 1.0f));
-    lobe_scene_add_camera(s, "", v3_add(centre, v3_scale(from, 2.6f * radius)), centre,
-                          v3(0.0f, 1.0f, 0.0f), 38.0f);
+    const float degrees = 38.0f, room = 1.08f;
+    const vec3 centre = v3_lerp(s->low, s->high, 0.5f), up = v3(0.0f, 1.0f, 0.0f);
+    const vec3 from = v3_normalize_or(v3(0.45f, 0.35f, 1.0f), v3(0.0f, 0.0f, 1.0f));
+    const frame f = frame_of(from, v3_cross(up, from));
+    const float slope = tanf(0.5f * degrees * (LOBE_PI / 180.0f)) / room;
+    const float distance = fmaxf(distance_to_hold(s, centre, &f, slope), 1e-6f);
+    lobe_scene_add_camera(s, "", v3_add(centre, v3_scale(from, distance)), centre, up, degrees);
 }
 
 static void add_ground(lobe_scene *s) {
@@ -244,15 +339,25 @@ static lobe_render_result light_the_scene(lobe_scene *s, const lobe_scene_option
 
 static void fill_info(lobe_scene *s) {
     s->info.triangles = s->triangle_count;
+    s->info.instances = s->instance_count;
+    s->info.placed_triangles = s->triangle_count - world_of(s);
+    for (uint32_t i = 0; i < s->instance_count; i++)
+        s->info.placed_triangles += s->shapes[s->instances[i].shape].count;
     s->info.emissive_triangles = s->light_count;
     s->info.vertices = s->vertex_count;
     s->info.materials = s->material_count;
     s->info.textures = s->texture_count;
     s->info.warnings = s->warnings.count;
-    s->info.bytes =
-        s->vertex_count * sizeof *s->vertices + s->triangle_count * sizeof *s->triangles;
+    s->info.geometry_bytes = s->vertex_count * sizeof *s->vertices +
+                             s->triangle_count * sizeof *s->triangles +
+                             s->instance_count * sizeof *s->instances;
     for (uint32_t i = 0; i < s->texture_count; i++)
-        s->info.bytes += 3u * (uint64_t)s->textures[i].width * (uint64_t)s->textures[i].height;
+        s->info.texture_bytes += (uint64_t)s->textures[i].channels *
+                                 (uint64_t)s->textures[i].width * (uint64_t)s->textures[i].height;
+    s->info.low = s->low;
+    s->info.high = s->high;
+    s->info.lamps = s->lamp_count;
+    s->info.tree_bytes = lobe_tracer_bytes(s->tracer, &s->info.tree_peak_bytes);
 }
 
 static int has_anisotropy(const lobe_scene *s) {
@@ -261,23 +366,66 @@ static int has_anisotropy(const lobe_scene *s) {
     return 0;
 }
 
+static lobe_render_result build_tree(lobe_scene *s, const lobe_scene_options *options) {
+    if (s->out_of_memory) return lobe_fail_memory(s->name);
+    const tracer_scene traced = {.vertices = s->vertices,
+                                 .indices = s->triangles,
+                                 .vertex_count = s->vertex_count,
+                                 .vertex_stride = sizeof *s->vertices,
+                                 .triangle_count = s->triangle_count,
+                                 .index_stride = sizeof *s->triangles,
+                                 .shapes = s->shapes,
+                                 .instances = s->instances,
+                                 .shape_count = s->shape_count,
+                                 .instance_count = s->instance_count,
+                                 .progress = options->progress,
+                                 .progress_user = options->progress_user,
+                                 .cancel = options->cancel};
+    s->tracer = lobe_tracer_create(&traced);
+    if (s->tracer) return LOBE_RENDER_OK;
+    if (options->cancel && *options->cancel)
+        return lobe_fail(LOBE_RENDER_INTERRUPTED,
+                         "%s: interrupted while it was prepared; nothing "
+                         "is rendered yet",
+                         s->name);
+    return lobe_fail_memory(s->name);
+}
+
+/* Arrays that grew have room to spare. */
+static void shrink(lobe_scene *s) {
+    vertex *vertices = realloc(s->vertices, (size_t)s->vertex_count * sizeof *vertices);
+    if (vertices) s->vertices = vertices;
+    if (vertices) s->vertex_room = s->vertex_count;
+    triangle *triangles = realloc(s->triangles, (size_t)s->triangle_count * sizeof *triangles);
+    if (triangles) s->triangles = triangles;
+    if (triangles) s->triangle_room = s->triangle_count;
+}
+
+static void warn_of_time(lobe_scene *s, const lobe_scene_options *options) {
+    s->frame_time = options->frame_time;
+    if (isfinite(options->frame_time) && !s->is_animated)
+        lobe_warn(&s->warnings, "%s: is not animated; --frame-time is without effect", s->name);
+}
+
 /* From triangles and materials to something that can be rendered. */
 static lobe_render_result finish(lobe_scene *s, const lobe_scene_options *options, int is_file) {
     if (s->out_of_memory) return lobe_fail_memory(s->name);
     if (s->triangle_count == 0)
         return lobe_fail(LOBE_RENDER_BAD_INPUT,
                          "%s: no triangle that can be seen; is it the right file?", s->name);
-    find_bounds(s);
+    if (!find_bounds(s)) return lobe_fail_memory(s->name);
+    warn_of_time(s, options);
     s->info.cameras = is_file ? s->camera_count : 0;
     if (s->camera_count == 0) frame_automatically(s);
     if (options->ground && is_file) add_ground(s);
+    shrink(s);
     if (!collect_lights(s)) return lobe_fail_memory(s->name);
     s->is_opaque = is_scene_opaque(s);
     lobe_render_result result = light_the_scene(s, options);
     if (result != LOBE_RENDER_OK) return result;
-    s->tracer = lobe_tracer_create(s->vertices, s->vertex_count, sizeof *s->vertices, s->triangles,
-                                   s->triangle_count, sizeof *s->triangles);
-    if (!s->tracer || s->out_of_memory) return lobe_fail_memory(s->name);
+    lobe_scene_note_all(s);
+    result = build_tree(s, options);
+    if (result != LOBE_RENDER_OK) return result;
     s->has_anisotropy = has_anisotropy(s);
     if (s->warnings.failed) return LOBE_RENDER_BAD_INPUT;
     fill_info(s);

@@ -2,6 +2,7 @@
 #ifndef LOBE_RENDER_SCENE_H
 #define LOBE_RENDER_SCENE_H
 
+#include "affine.h"
 #include "environment.h"
 #include "material.h"
 #include "lobe/render.h"
@@ -66,6 +67,17 @@ typedef struct camera {
     float vertical_degrees;
 } camera;
 
+/* inventory.h */
+typedef struct inventory_row {
+    lobe_scene_item item;
+    char *name, *about; /* by malloc */
+} inventory_row;
+
+typedef struct inventory {
+    inventory_row *rows;
+    size_t count, room;
+} inventory;
+
 struct lobe_scene {
     char name[256];
     vertex *vertices;
@@ -74,8 +86,12 @@ struct lobe_scene {
     texture *textures;
     camera *cameras;
     lamp *lamps;
-    uint32_t vertex_count, triangle_count, material_count, texture_count, camera_count, lamp_count;
-    uint32_t vertex_room, triangle_room, material_room, texture_room, camera_room, lamp_room;
+    shape *shapes; /* the first triangles; the others lie in the world */
+    instance *instances;
+    uint32_t vertex_count, triangle_count, material_count, texture_count, camera_count, lamp_count,
+        shape_count, instance_count;
+    uint32_t vertex_room, triangle_room, material_room, texture_room, camera_room, lamp_room,
+        shape_room, instance_room;
     int out_of_memory;
     uint32_t *lights; /* emissive triangles */
     float *light_areas;
@@ -87,7 +103,10 @@ struct lobe_scene {
     tracer *tracer;
     vec3 low, high; /* bounds */
     int has_anisotropy;
+    int is_animated;   /* the file */
+    double frame_time; /* NaN: at rest */
     lobe_scene_info info;
+    inventory inventory;
     warnings warnings;
 };
 
@@ -96,6 +115,16 @@ uint32_t lobe_scene_add_material(lobe_scene *s, material m);
 uint32_t lobe_scene_add_vertex(lobe_scene *s, vertex v);
 uint32_t lobe_scene_add_lamp(lobe_scene *s, lamp l);
 void lobe_scene_add_triangle(lobe_scene *s, uint32_t a, uint32_t b, uint32_t c, uint32_t material);
+
+/* A shape of the triangles from `first` on. All shapes come before the triangles of the world. */
+uint32_t lobe_scene_add_shape(lobe_scene *s, uint32_t first);
+
+/* 0: the transform cannot be inverted in float; then nothing is added. */
+int lobe_scene_add_instance(lobe_scene *s, uint32_t shape, const affine *to_world);
+
+/* Whether triangles of this material are lights that can be drawn. They have to lie in the world. */
+int lobe_is_even_light(const material *m);
+
 int lobe_scene_add_texture(lobe_scene *s, texture t);
 void lobe_scene_add_camera(lobe_scene *s, const char *name, vec3 position, vec3 target, vec3 up,
                            float vertical_degrees);

@@ -1,5 +1,6 @@
 #include "trace.h"
 
+#include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -26,44 +27,150 @@
 struct tracer {
     RTCDevice device;
     RTCScene scene;
+    RTCScene *shapes;
+    uint32_t shape_count;
+    uint32_t world; /* the first triangle that lies in the world */
+    const shape *ranges;
+    const instance *instances;
+    atomic_llong bytes, most_bytes;
 };
 
-static void build(tracer *t, const void *vertices, uint32_t vertex_count, uint32_t vertex_stride,
-                  const void *indices, uint32_t triangle_count, uint32_t index_stride) {
-    RTCGeometry geometry = rtcNewGeometry(t->device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, vertices, 0,
-                               vertex_stride, vertex_count);
-    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, indices, 0,
-                               index_stride, triangle_count);
-    rtcCommitGeometry(geometry);
-    rtcAttachGeometry(t->scene, geometry);
-    rtcReleaseGeometry(geometry);
-    rtcCommitScene(t->scene);
+/* ---- Building ---------------------------------------------------------------------------------- */
+
+/* Of all trees: what is done, and what the one in work is of the whole. */
+typedef struct builder {
+    const tracer_scene *from;
+    tracer *t;
+    double done, share, whole;
+    atomic_flag is_told;
+} builder;
+
+static int is_cancelled(const builder *b) {
+    return b->from->cancel && *b->from->cancel;
 }
 
-tracer *lobe_tracer_create(const void *vertices, uint32_t vertex_count, uint32_t vertex_stride,
-                           const void *indices, uint32_t triangle_count, uint32_t index_stride) {
+/* Embree calls from any of its threads: one of them speaks at a time. */
+static bool tell(void *user, double fraction) {
+    builder *b = user;
+    if (b->from->progress && !atomic_flag_test_and_set(&b->is_told)) {
+        b->from->progress(b->from->progress_user, (b->done + fraction * b->share) / b->whole);
+        atomic_flag_clear(&b->is_told);
+    }
+    return !is_cancelled(b);
+}
+
+static bool count_bytes(void *user, ssize_t bytes, bool is_after) {
+    (void)is_after;
+    tracer *t = user;
+    const long long now = atomic_fetch_add(&t->bytes, (long long)bytes) + (long long)bytes;
+    long long most = atomic_load(&t->most_bytes);
+    while (now > most && !atomic_compare_exchange_weak(&t->most_bytes, &most, now)) {
+    }
+    return true;
+}
+
+static RTCScene begin_scene(const builder *b) {
+    RTCScene scene = rtcNewScene(b->t->device);
+    if (scene) rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
+    return scene;
+}
+
+static void commit(builder *b, RTCScene scene, double share) {
+    b->share = share;
+    rtcSetSceneProgressMonitorFunction(scene, tell, b);
+    if (!is_cancelled(b)) rtcCommitScene(scene);
+    rtcSetSceneProgressMonitorFunction(scene, NULL, NULL);
+    b->done += share;
+    b->share = 0.0;
+    tell(b, 0.0);
+}
+
+static void add_triangles(const builder *b, RTCScene scene, uint32_t first, uint32_t count) {
+    const tracer_scene *from = b->from;
+    if (count == 0) return;
+    RTCGeometry geometry = rtcNewGeometry(b->t->device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                               from->vertices, 0, from->vertex_stride, from->vertex_count);
+    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, from->indices,
+                               (size_t)first * from->index_stride, from->index_stride, count);
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometry(scene, geometry);
+    rtcReleaseGeometry(geometry);
+}
+
+static void add_instance(const builder *b, uint32_t index) {
+    const instance *i = &b->from->instances[index];
+    RTCGeometry geometry = rtcNewGeometry(b->t->device, RTC_GEOMETRY_TYPE_INSTANCE);
+    rtcSetGeometryInstancedScene(geometry, b->t->shapes[i->shape]);
+    rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, i->to_world);
+    rtcCommitGeometry(geometry);
+    /* the numbers of instances are theirs, that of the world comes after them */
+    rtcAttachGeometryByID(b->t->scene, geometry, index);
+    rtcReleaseGeometry(geometry);
+}
+
+static void build_shapes(builder *b) {
+    tracer *t = b->t;
+    for (uint32_t i = 0; i < b->from->shape_count; i++) {
+        const shape *s = &b->from->shapes[i];
+        t->shapes[i] = begin_scene(b);
+        if (!t->shapes[i]) return;
+        t->shape_count++;
+        add_triangles(b, t->shapes[i], s->first, s->count);
+        commit(b, t->shapes[i], (double)s->count);
+    }
+}
+
+static void build(builder *b) {
+    tracer *t = b->t;
+    const tracer_scene *from = b->from;
+    const uint32_t placed = from->triangle_count - t->world;
+    b->whole = (double)from->triangle_count + (double)from->instance_count;
+    build_shapes(b);
+    if (t->shape_count < from->shape_count || is_cancelled(b)) return;
+    for (uint32_t i = 0; i < from->instance_count; i++) add_instance(b, i);
+    add_triangles(b, t->scene, t->world, placed);
+    commit(b, t->scene, (double)placed + (double)from->instance_count);
+}
+
+tracer *lobe_tracer_create(const tracer_scene *from) {
     tracer *t = calloc(1, sizeof *t);
     if (!t) return NULL;
-    t->device = rtcNewDevice(NULL);
-    t->scene = t->device ? rtcNewScene(t->device) : NULL;
-    if (t->scene) {
-        rtcSetSceneFlags(t->scene, RTC_SCENE_FLAG_ROBUST);
-        build(t, vertices, vertex_count, vertex_stride, indices, triangle_count, index_stride);
+    builder b = {.from = from, .t = t, .is_told = ATOMIC_FLAG_INIT};
+    t->ranges = from->shapes;
+    t->instances = from->instances;
+    if (from->shape_count > 0) {
+        const shape *last = &from->shapes[from->shape_count - 1];
+        t->world = last->first + last->count;
     }
-    if (!t->scene || rtcGetDeviceError(t->device) != RTC_ERROR_NONE) {
+    t->shapes = calloc((size_t)from->shape_count + 1, sizeof(RTCScene));
+    t->device = t->shapes ? rtcNewDevice(NULL) : NULL;
+    if (t->device) rtcSetDeviceMemoryMonitorFunction(t->device, count_bytes, t);
+    t->scene = t->device ? begin_scene(&b) : NULL;
+    if (t->scene) build(&b);
+    if (!t->scene || is_cancelled(&b) || rtcGetDeviceError(t->device) != RTC_ERROR_NONE) {
         lobe_tracer_free(t);
         return NULL;
     }
     return t;
 }
 
+uint64_t lobe_tracer_bytes(const tracer *t, uint64_t *most) {
+    const long long bytes = atomic_load(&t->bytes);
+    *most = (uint64_t)atomic_load(&t->most_bytes);
+    return bytes > 0 ? (uint64_t)bytes : 0;
+}
+
 void lobe_tracer_free(tracer *t) {
     if (!t) return;
     if (t->scene) rtcReleaseScene(t->scene);
+    for (uint32_t i = 0; i < t->shape_count; i++) rtcReleaseScene(t->shapes[i]);
     if (t->device) rtcReleaseDevice(t->device);
+    free(t->shapes);
     free(t);
 }
+
+/* ---- Rays -------------------------------------------------------------------------------------- */
 
 static struct RTCRay ray_of(vec3 origin, vec3 direction, float distance) {
     struct RTCRay ray;
@@ -88,7 +195,11 @@ int lobe_tracer_nearest(const tracer *t, vec3 origin, vec3 direction, float from
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     INTERSECT(t->scene, &query);
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return 0;
-    *hit = (ray_hit){query.hit.primID, query.ray.tfar, query.hit.u, query.hit.v};
+    /* Embree's "none" is NO_INSTANCE */
+    const uint32_t instance = query.hit.instID[0];
+    const uint32_t first =
+        instance == NO_INSTANCE ? t->world : t->ranges[t->instances[instance].shape].first;
+    *hit = (ray_hit){first + query.hit.primID, instance, query.ray.tfar, query.hit.u, query.hit.v};
     return 1;
 }
 

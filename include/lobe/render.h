@@ -33,9 +33,10 @@
  * KHR_mesh_quantization, KHR_texture_transform, KHR_lights_punctual, KHR_materials_anisotropy,
  * KHR_materials_emissive_strength, KHR_materials_transmission, KHR_materials_ior,
  * KHR_materials_volume (of thickness only whether it is 0), KHR_materials_unlit (emits its base colour). One candela, lux or
- * nit of a file is one unit of intensity, irradiance or radiance here. Not read, with a warning: skins,
- * morph targets, animations, points, lines, other extensions; a file that requires one of those is
- * refused.
+ * nit of a file is one unit of intensity, irradiance or radiance here. Nodes, morph targets and skins stand where an
+ * animation has them at lobe_scene_options.frame_time. A mesh that many nodes or EXT_mesh_gpu_instancing place is in
+ * memory once, unless all of its copies are small. Not read, with a warning: points, lines, other extensions; a
+ * file that requires one of those is refused.
  * Not promised: the bits of a picture from version to version or between processors of different
  * instruction sets (Embree picks its code by the processor). On one machine the same scene, options
  * and seed give the same bits on any number of threads and processes, in parts and after any interruption.
@@ -79,17 +80,28 @@ LOBE_API size_t lobe_builtin_scene_count(void);
 LOBE_API const char *lobe_builtin_scene_name(size_t index);
 LOBE_API const char *lobe_builtin_scene_about(size_t index);
 
+/* Told now and then, by one thread at a time, how much of the tree that rays go through is built, in [0, 1]. */
+typedef void (*lobe_build_function)(void *user, double fraction);
+
 typedef struct lobe_scene_options {
     const char *environment;    /* panorama to light with (.exr, .hdr, .png, …); NULL: the scene's
                                       own light, and a sky where a file brings none */
     float environment_rotation; /* degrees about +Y, counter-clockwise from above; default 0 */
     int strict;                 /* 1: a missing texture or another warning is an error; default 0 */
     int ground;                 /* 1: put a large matte floor below a file's scene; default 0 */
-    float default_base_color[3];   /* material of meshes that bring none: linear, [0, 1]; 0.8 */
-    float default_metallic;        /* [0, 1]; default 0 */
-    float default_roughness;       /* perceptual, [0, 1]; alpha is its square; default 0.5 */
+    float default_base_color[3]; /* material of meshes that bring none: linear, [0, 1]; 0.8 */
+    float default_metallic;      /* [0, 1]; default 0 */
+    float default_roughness;     /* perceptual, [0, 1]; alpha is its square; default 0.5 */
+    double frame_time; /* moment of an animation to show, in seconds; before its first key and after
+                          its last one their values hold. NaN, the default: none, nodes rest */
+    const char
+        *animation; /* its name, or "all" for all, later ones over earlier ones; NULL: the first */
     lobe_warning_function warning; /* NULL: warnings are dropped */
     void *warning_user;
+    lobe_build_function progress; /* NULL: none */
+    void *progress_user;
+    const volatile sig_atomic_t
+        *cancel; /* not NULL: the tree is given up soon after *cancel != 0 */
 } lobe_scene_options;
 
 LOBE_API lobe_scene_options lobe_scene_default_options(void);
@@ -102,7 +114,9 @@ LOBE_API lobe_render_result lobe_scene_load(const char *source, lobe_scene_optio
 LOBE_API void lobe_scene_free(lobe_scene *scene); /* NULL is fine */
 
 typedef struct lobe_scene_info {
-    uint64_t triangles;         /* in use */
+    uint64_t triangles;         /* in memory */
+    uint64_t placed_triangles;  /* in the scene: those of instances once for each */
+    uint64_t instances;         /* of meshes that are in memory once */
     uint64_t dropped_triangles; /* of zero area or with a coordinate that is not finite */
     uint64_t emissive_triangles;
     uint64_t vertices;
@@ -111,11 +125,38 @@ typedef struct lobe_scene_info {
     uint64_t missing_textures; /* shown in magenta */
     uint64_t cameras;          /* in the file; 0: framed automatically */
     uint64_t warnings;
-    uint64_t bytes; /* geometry, textures and Embree's tree */
-    double load_seconds;
+    uint64_t geometry_bytes, texture_bytes;
+    uint64_t tree_bytes, tree_peak_bytes; /* of Embree, now and while it was built */
+    uint64_t lamps;                       /* lights without extent */
+    lobe_vec3_f32 low, high; /* a box around all triangles; that of instances is not the smallest */
 } lobe_scene_info;
 
 LOBE_API lobe_scene_info lobe_scene_get_info(const lobe_scene *scene);
+
+/* What a scene is made of, one after the other. */
+typedef enum lobe_scene_part {
+    LOBE_SCENE_MESH,      /* count: triangles; uses: how often the scene shows it */
+    LOBE_SCENE_MATERIAL,  /* count: triangles in memory that have it; about: what it uses */
+    LOBE_SCENE_TEXTURE,   /* name: of the file or the picture; width, height */
+    LOBE_SCENE_LIGHT,     /* without extent; about: its kind */
+    LOBE_SCENE_CAMERA,    /* about: its angle */
+    LOBE_SCENE_ANIMATION, /* count: channels; seconds: its last key; about: what it moves, and how */
+    LOBE_SCENE_EXTENSION  /* of glTF; about: "read" or "ignored", and "required" */
+} lobe_scene_part;
+
+typedef struct lobe_scene_item {
+    lobe_scene_part part;
+    const char *name;  /* in the file; "": it has none */
+    const char *about; /* words with ", " between; may be "" */
+    uint64_t count, uses;
+    int width, height;
+    double seconds;
+} lobe_scene_item;
+
+LOBE_API size_t lobe_scene_item_count(const lobe_scene *scene);
+LOBE_API const lobe_scene_item *lobe_scene_get_item(const lobe_scene *scene,
+                                                    size_t index); /* out of range: NULL */
+LOBE_API const char *lobe_scene_part_name(lobe_scene_part part);   /* "mesh", …; NULL: none */
 
 /* Names of the cameras that the file brings; an index out of range gives NULL. */
 LOBE_API const char *lobe_scene_camera_name(const lobe_scene *scene, size_t index);

@@ -28,6 +28,8 @@ BAD_VALUES = {
     "--threads": ["0", "1025", "-2"],
     "--exposure": ["nan", "1000", "up"],
     "--env-rotate": ["nan", "1e9", ""],
+    "--frame-time": ["nan", "", "now"],
+    "--animation": ["", "Walk"],
     "--aov": ["", "albedo,", "colour", ",normal", "a" * 100],
     "--material": ["1,1,1,1", "1,1,1,1,2", "-1,0,0,0,0", "gold", ""],
     "--method": ["best", ""],

@@ -93,7 +93,11 @@ static unsigned char *damage_bytes(stream *s, const unsigned char *glb, size_t *
     return bad;
 }
 
-/* One file for each way in which arrays are stored. */
+/* Times from 0 to 1, joints 0 and 1, weights, matrices: all at once. */
+static const float moving[32] = {0, 1, 1, 0, 1, 0, 0, 1, 1, 1, 0, 0, 0, 1, 1, 1,
+                                 1, 0, 0, 1, 0, 1, 0, 0, 0, 0, 1, 0, 1, 1, 0, 1};
+
+/* One file for each way in which arrays are stored, and one for all that moves. */
 static unsigned char *make_seed(uint32_t which, size_t *size) {
     static const char material[] =
         "{\"alphaMode\":\"BLEND\",\"normalTexture\":{\"index\":1},\"emissiveFactor\":[1,1,1],"
@@ -149,15 +153,42 @@ static unsigned char *make_seed(uint32_t which, size_t *size) {
         f.buffers = ",{\"byteLength\":44,\"extensions\":{\"EXT_meshopt_compression\":{"
                     "\"fallback\":true}}}";
     }
+    if (which == 5) {
+        memcpy(packed, moving, sizeof moving);
+        f.binary = packed;
+        f.binary_size = sizeof moving;
+        snprintf(views, sizeof views, ",{\"buffer\":0,\"byteOffset\":%zu,\"byteLength\":%zu}",
+                 sizeof square_arrays, sizeof moving);
+        f.views = views;
+        f.accessors = ",{\"bufferView\":15,\"componentType\":5126,\"type\":\"SCALAR\",\"count\":2},"
+                      "{\"bufferView\":15,\"componentType\":5126,\"type\":\"VEC3\",\"count\":2},"
+                      "{\"bufferView\":15,\"componentType\":5126,\"type\":\"VEC4\",\"count\":6},"
+                      "{\"bufferView\":15,\"componentType\":5126,\"type\":\"MAT4\",\"count\":2},"
+                      "{\"bufferView\":15,\"componentType\":5126,\"type\":\"VEC4\",\"count\":4}";
+        f.attributes = "\"POSITION\":0,\"NORMAL\":1,\"JOINTS_0\":16,\"WEIGHTS_0\":16";
+        f.primitive = ",\"indices\":8,\"targets\":[{\"POSITION\":1,\"NORMAL\":0}]";
+        f.nodes =
+            "{\"mesh\":0,\"skin\":0},{\"mesh\":0,\"weights\":[0.5]},{\"mesh\":0,\"extensions\":"
+            "{\"EXT_mesh_gpu_instancing\":{\"attributes\":{\"TRANSLATION\":13}}}}";
+        f.children = "0,1,2,3";
+        f.more = ",\"skins\":[{\"joints\":[2,1],\"inverseBindMatrices\":15}],\"animations\":[{"
+                 "\"channels\":[{\"sampler\":0,\"target\":{\"node\":2,\"path\":\"scale\"}},"
+                 "{\"sampler\":1,\"target\":{\"node\":1,\"path\":\"rotation\"}},"
+                 "{\"sampler\":2,\"target\":{\"node\":2,\"path\":\"weights\"}}],\"samplers\":["
+                 "{\"input\":12,\"output\":13},{\"input\":12,\"output\":14,\"interpolation\":"
+                 "\"CUBICSPLINE\"},{\"input\":12,\"output\":12,\"interpolation\":\"STEP\"}]}]";
+    }
     return make_square(&f, size);
 }
 
-enum { SEEDS_OF_FILES = 5 };
+enum { SEEDS_OF_FILES = 6 };
 
 /* Nonzero if the file is shown. */
 static int try_file(unsigned long round) {
     lobe_scene *scene = NULL;
-    const lobe_render_result result = lobe_scene_load(name, lobe_scene_default_options(), &scene);
+    lobe_scene_options so = lobe_scene_default_options();
+    so.frame_time = 0.25;
+    const lobe_render_result result = lobe_scene_load(name, so, &scene);
     if (result != LOBE_RENDER_OK) {
         const char *message = lobe_render_error_message();
         if (scene || result != LOBE_RENDER_BAD_INPUT || strlen(message) < 10 ||

@@ -441,7 +441,10 @@ static void what_reaches_beyond_is_refused(void **state) {
                                                     "\"count\":4000000000}")},
                         "too many elements");
     assert_refused_with((square_file){WITH_ACCESSOR("{\"bufferView\":0,\"componentType\":5126,"
-                                                    "\"type\":\"MAT4\",\"count\":1}")},
+                                                    "\"type\":\"MAT2\",\"count\":1}")},
+                        "of a type");
+    assert_refused_with((square_file){WITH_ACCESSOR("{\"componentType\":5126,\"type\":\"MAT4\","
+                                                    "\"count\":4}")},
                         "of a type");
     assert_refused_with((square_file){.primitive = ",\"indices\":12",
                                       .accessors = ",{\"bufferView\":9,\"byteOffset\":2,"
@@ -531,8 +534,10 @@ static void ignored_features_are_named(void **state) {
     (void)state;
     static const square_file files[] = {
         {.more = ",\"extensionsUsed\":[\"KHR_materials_sheen\",\"KHR_materials_unlit\"]"},
-        {.more = ",\"skins\":[{\"joints\":[0]}]", .nodes = "{\"mesh\":0,\"skin\":0}"},
-        {.primitive = ",\"indices\":8,\"targets\":[{\"POSITION\":0}]"},
+        {.more = ",\"animations\":[{\"channels\":[{\"sampler\":0,\"target\":{\"node\":1,\"path\":"
+                 "\"scale\"}}],\"samplers\":[{\"input\":0,\"output\":0}]}]"},
+        {.attributes = "\"POSITION\":0,\"COLOR_1\":7"},
+        {.primitive = ",\"indices\":8,\"targets\":[{\"TEXCOORD_0\":2}]"},
         {.primitive = ",\"indices\":8},{\"mode\":1,\"attributes\":{\"POSITION\":0}"},
         {.children = "0,1,1"},
         {.material = "{\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":7}}}"},
