@@ -348,17 +348,22 @@ static float past(float distance) {
     return nextafterf(distance * 1.000001f, INFINITY);
 }
 
+static void note_ray(path *p, vec3 origin, vec3 direction, float from, float to, ray_kind kind) {
+    p->rays++;
+    if (p->k->log) lobe_ray_log_add(p->k->log, (logged_ray){origin, direction, from, to}, kind);
+}
+
 /* The share of light that comes from `distance` away. */
 static float transmittance(path *p, vec3 from, vec3 direction, float distance) {
     const lobe_scene *s = p->k->scene;
     if (s->is_opaque) {
-        p->rays++;
+        note_ray(p, from, direction, 0.0f, -distance, RAY_SHADOW);
         return lobe_tracer_blocked(s->tracer, from, direction, distance) ? 0.0f : 1.0f;
     }
     ray_hit hit;
     float share = 1.0f;
     for (float near = 0.0f; share > 0.0f; near = past(hit.distance)) {
-        p->rays++;
+        note_ray(p, from, direction, near, distance, RAY_SHADOW);
         if (!lobe_tracer_nearest(s->tracer, from, direction, near, distance, &hit)) break;
         share *= 1.0f - opacity_at(s, &hit);
     }
@@ -435,7 +440,8 @@ static int scatter(path *p, const hit_point *h, const surface *surface, int scat
 static int meet_surface(path *p, ray_hit *hit) {
     const lobe_scene *s = p->k->scene;
     for (float near = 0.0f;; near = past(hit->distance)) {
-        p->rays++;
+        note_ray(p, p->origin, p->direction, near, INFINITY,
+                 p->is_camera ? RAY_CAMERA : RAY_BOUNCE);
         if (!lobe_tracer_nearest(s->tracer, p->origin, p->direction, near, INFINITY, hit)) return 0;
         const float opacity = opacity_at(s, hit);
         if (opacity >= 1.0f) return 1;

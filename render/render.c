@@ -103,6 +103,7 @@ static film_sample render_sample(const job *j, int x, int y, uint32_t index, uin
 
 static void render_tile(const void *user, const unit *u, lobe_film *tile, uint64_t *rays) {
     const job *j = user;
+    if (j->integrator.log) lobe_ray_log_begin_unit(j->integrator.log);
     const lobe_render_options *o = j->options;
     const int across = (o->width + TILE - 1) / TILE;
     const int left = (int)u->tile % across * TILE, top = (int)u->tile / across * TILE;
@@ -328,18 +329,21 @@ static lobe_render_result lead(crew *c, lobe_film **film, lobe_render_statistics
 }
 
 static lobe_render_result render_with(const coat_table *const *coats, const lobe_scene *scene,
-                                      const lobe_render_options *options, lobe_film **film,
-                                      lobe_render_statistics *statistics) {
+                                      const lobe_render_options *options, ray_log *log,
+                                      lobe_film **film, lobe_render_statistics *statistics) {
     job j = {.scene = scene, .options = options};
     crew c = {.options = options,
               .render = render_tile,
               .user = &j,
               .start = lobe_clock(),
               .before.cpu_seconds = -lobe_cpu_clock()};
-    j.integrator = (integrator){
-        scene,          {.ggx = options->reflection, .multiscatter = options->multiscatter},
-        coats,          options->heuristic,
-        options->depth, options->roulette_depth};
+    j.integrator = (integrator){scene,
+                                {.ggx = options->reflection, .multiscatter = options->multiscatter},
+                                coats,
+                                options->heuristic,
+                                options->depth,
+                                options->roulette_depth,
+                                log};
     char identity[IDENTITY_ROOM] = "";
     lobe_render_result result = aim(&j);
     if (result == LOBE_RENDER_OK) {
@@ -359,8 +363,9 @@ static lobe_render_result render_with(const coat_table *const *coats, const lobe
     return result;
 }
 
-lobe_render_result lobe_render(const lobe_scene *scene, lobe_render_options options,
-                               lobe_film **film, lobe_render_statistics *statistics) {
+static lobe_render_result render_and_log(const lobe_scene *scene, lobe_render_options options,
+                                         ray_log *log, lobe_film **film,
+                                         lobe_render_statistics *statistics) {
     *film = NULL;
     lobe_render_result result = check_options(&options);
     if (result != LOBE_RENDER_OK) return result;
@@ -370,7 +375,22 @@ lobe_render_result lobe_render(const lobe_scene *scene, lobe_render_options opti
         options.reflection.model.method = method_or_best(model);
     const coat_table **coats = lobe_find_coats(scene, &options.reflection);
     result = lobe_ranks_agree(coats ? LOBE_RENDER_OK : lobe_fail_memory(scene->name));
-    if (result == LOBE_RENDER_OK) result = render_with(coats, scene, &options, film, statistics);
+    if (result == LOBE_RENDER_OK)
+        result = render_with(coats, scene, &options, log, film, statistics);
     free(coats);
+    return result;
+}
+
+lobe_render_result lobe_render(const lobe_scene *scene, lobe_render_options options,
+                               lobe_film **film, lobe_render_statistics *statistics) {
+    return render_and_log(scene, options, NULL, film, statistics);
+}
+
+lobe_render_result lobe_render_logged(const lobe_scene *scene, lobe_render_options options,
+                                      ray_log *log, lobe_render_statistics *statistics) {
+    lobe_film *film = NULL;
+    options.threads = 1;
+    const lobe_render_result result = render_and_log(scene, options, log, &film, statistics);
+    lobe_film_free(film);
     return result;
 }

@@ -2,6 +2,7 @@
 #ifndef LOBE_RENDER_TRACE_H
 #define LOBE_RENDER_TRACE_H
 
+#include <stddef.h>
 #include <stdint.h>
 
 #include "vector.h"
@@ -22,5 +23,15 @@ void lobe_tracer_free(tracer *t);
 int lobe_tracer_nearest(const tracer *t, vec3 origin, vec3 direction, float from, float to,
                         ray_hit *hit);
 int lobe_tracer_blocked(const tracer *t, vec3 origin, vec3 direction, float distance);
+
+/* A ray to trace once more. */
+typedef struct logged_ray {
+    vec3 origin, direction;
+    float from;
+    float to; /* negative: whether something is nearer than -to; else the nearest */
+} logged_ray;
+
+/* Nothing but the ray caster, ray by ray; how many met something. */
+uint64_t lobe_tracer_replay(const tracer *t, const logged_ray *rays, size_t count);
 
 #endif
