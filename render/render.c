@@ -86,18 +86,15 @@ static float filter_offset(const job *j, uint32_t bits) {
     return j->filter[k] + (x - (float)k) * (j->filter[k + 1] - j->filter[k]);
 }
 
-static film_sample render_sample(const job *j, int x, int y, uint32_t index, uint64_t *rays) {
+static film_sample render_sample(const job *j, int x, int y, sampler points, uint64_t *rays) {
     const lobe_render_options *o = j->options;
-    sampler points = {.key = lobe_sampler_key(o->seed, (uint32_t)x, (uint32_t)y),
-                      .index = index,
-                      .index_bits = lobe_sampler_index_bits(o->samples)};
     sampler_point p = lobe_sampler_next(&points);
     float px = ((float)x + 0.5f + filter_offset(j, p.bits[0])) / (float)o->width * 2.0f - 1.0f;
     float py = 1.0f - ((float)y + 0.5f + filter_offset(j, p.bits[1])) / (float)o->height * 2.0f;
     vec3 d = v3_add(j->forward, v3_add(v3_scale(j->right, px), v3_scale(j->up, py)));
     film_sample sample =
         lobe_trace_path(&j->integrator, j->eye, v3_normalize_or(d, j->forward), &points, rays);
-    sample.is_first_half = lobe_film_is_first_half(index);
+    sample.is_first_half = lobe_film_is_first_half(points.index);
     return sample;
 }
 
@@ -108,11 +105,16 @@ static void render_tile(const void *user, const unit *u, lobe_film *tile, uint64
     const int across = (o->width + TILE - 1) / TILE;
     const int left = (int)u->tile % across * TILE, top = (int)u->tile / across * TILE;
     for (int y = 0; y < TILE && top + y < o->height; y++)
-        for (int x = 0; x < TILE && left + x < o->width; x++)
+        for (int x = 0; x < TILE && left + x < o->width; x++) {
+            sampler points = {
+                .key = lobe_sampler_key(o->seed, (uint32_t)(left + x), (uint32_t)(top + y)),
+                .index_bits = lobe_sampler_index_bits(o->samples)};
             for (uint32_t i = u->first; i < u->first + u->count; i++) {
-                const film_sample sample = render_sample(j, left + x, top + y, i, rays);
+                points.index = i;
+                const film_sample sample = render_sample(j, left + x, top + y, points, rays);
                 lobe_film_add(tile, (size_t)(y * TILE + x), &sample);
             }
+        }
 }
 
 static lobe_render_result aim(job *j) {
