@@ -1,5 +1,6 @@
 /* app/bench.c: `lobe bench`: what a draw costs. */
 #include <stdio.h>
+#include <string.h>
 
 #include <lobe/bench.h>
 
@@ -154,6 +155,8 @@ static lobe_app_status run_bench(const bench_values *values) {
 }
 
 lobe_app_status lobe_app_bench(int argc, char **argv) {
+    if (argc > 0 && strcmp(argv[0], "render") == 0)
+        return lobe_app_bench_render(argc - 1, argv + 1);
     bench_values values = {.floor = -1};
     const lobe_app_group groups[] = {{"Options", options, &values}, {0}};
     const lobe_app_command command = {
@@ -161,7 +164,8 @@ lobe_app_status lobe_app_bench(int argc, char **argv) {
         "[OPTIONS]",
         "Times every model: nanoseconds a draw, beside the published listing of the same method in "
         "plain C\n"
-        "and the time to copy the same bytes through memory, all in one run. Medians over rounds.",
+        "and the time to copy the same bytes through memory, all in one run. Medians over rounds.\n"
+        "lobe bench render [SCENE...] does that for the path tracer: see its --help.",
         NULL,
         groups,
         "lobe bench --quick --only 'caps * f32'"};

@@ -35,9 +35,11 @@ int lobe_alias_create(alias_table *table, const double *weights, uint32_t count)
     if (ok) {
         for (uint32_t i = 0; i < count; i++) {
             scaled[i] = weights[i] / sum * count;
-            table->cells[i] = (alias_cell){1.0f, i, (float)(weights[i] / sum)};
+            table->cells[i] = (alias_cell){1.0f, i, (float)(weights[i] / sum), 0.0f};
         }
         pair_up(table, scaled, stack);
+        for (uint32_t i = 0; i < count; i++)
+            table->cells[i].other_share = table->cells[table->cells[i].other].share;
     } else {
         lobe_alias_free(table);
     }

@@ -9,7 +9,8 @@
 typedef struct environment {
     image picture;
     alias_table table;
-    float sine, cosine; /* of the rotation about +Y */
+    float sine, cosine;    /* of the rotation about +Y */
+    float texels_per_turn; /* their number over 2 pi^2: makes a density of a share */
 } environment;
 
 /* Takes the picture over. 0: no memory. */
@@ -24,6 +25,15 @@ vec3 lobe_environment_at(const environment *e, vec3 direction);
 
 /* Density over directions of lobe_environment_draw; 0 where it draws nothing. */
 float lobe_environment_pdf(const environment *e, vec3 direction);
-vec3 lobe_environment_draw(const environment *e, const uint32_t bits[3], float *pdf);
+
+/* Both at once. */
+vec3 lobe_environment_meet(const environment *e, vec3 direction, float *pdf);
+
+typedef struct sky_draw {
+    vec3 direction, radiance;
+    float pdf;
+} sky_draw;
+
+sky_draw lobe_environment_draw(const environment *e, const uint32_t bits[3]);
 
 #endif

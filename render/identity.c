@@ -9,6 +9,9 @@
 #include "lobe/version.h"
 #include "scene.h"
 
+/* Raised by every change of the renderer that changes the bits of pictures. */
+enum { PICTURE_BITS = 2 };
+
 __attribute__((format(printf, 2, 3))) static void add_line(char *text, const char *format, ...) {
     const size_t used = strlen(text);
     va_list arguments;
@@ -87,7 +90,7 @@ static void add_options(char *text, const lobe_render_options *o) {
 void lobe_identity_write(char text[IDENTITY_ROOM], const lobe_scene *scene, const camera *camera,
                          const lobe_render_options *options) {
     memset(text, 0, IDENTITY_ROOM);
-    add_line(text, "version %s\n", LOBE_VERSION_STRING);
+    add_line(text, "version %s\nbits %d\n", LOBE_VERSION_STRING, PICTURE_BITS);
     add_scene(text, scene, camera);
     add_options(text, options);
 }

@@ -238,8 +238,13 @@ static void add_met_light(path *p, vec3 radiance, float light_pdf) {
 static void add_sky(path *p) {
     const lobe_scene *s = p->k->scene;
     if (!s->has_sky) return;
-    float pdf = lobe_environment_pdf(&s->sky, p->direction) * sky_probability(s);
-    add_met_light(p, lobe_environment_at(&s->sky, p->direction), pdf);
+    if (p->is_camera || isinf(p->pdf)) {
+        add_met_light(p, lobe_environment_at(&s->sky, p->direction), 0.0f);
+        return;
+    }
+    float pdf;
+    const vec3 radiance = lobe_environment_meet(&s->sky, p->direction, &pdf);
+    add_met_light(p, radiance, pdf * sky_probability(s));
 }
 
 /* A place off the surface, on the side of the viewer or beyond, so that a ray does not meet it again. */
@@ -301,12 +306,13 @@ static light_sample shine(const lamp *l, vec3 from) {
 }
 
 static light_sample draw_lamp(const lobe_scene *s, vec3 from, sampler_point point) {
-    uint32_t light = alias_draw(
-        &s->light_table, point.bits[1],
-        (float)((uint32_t)((uint64_t)point.bits[1] * s->light_table.count) >> 8) * 0x1p-24f);
+    const float rest =
+        (float)((uint32_t)((uint64_t)point.bits[1] * s->light_table.count) >> 8) * 0x1p-24f;
+    const alias_choice choice = alias_draw(&s->light_table, point.bits[1], rest);
+    const uint32_t light = choice.index;
     if (light >= s->light_count) {
         light_sample l = shine(&s->lamps[light - s->light_count], from);
-        l.pdf = s->light_table.cells[light].share;
+        l.pdf = choice.share;
         return l;
     }
     const triangle *t = &s->triangles[s->lights[light]];
@@ -319,8 +325,7 @@ static light_sample draw_lamp(const lobe_scene *s, vec3 from, sampler_point poin
     l.direction = v3_normalize_or(to, v3(0.0f, 1.0f, 0.0f));
     vec3 normal = v3_normalize_or(v3_cross(v3_sub(b, a), v3_sub(c, a)), l.direction);
     float cosine = fabsf(v3_dot(normal, l.direction));
-    float share = s->light_table.cells[light].share;
-    l.pdf = share * l.distance * l.distance / fmaxf(s->light_areas[light] * cosine, 1e-20f);
+    l.pdf = choice.share * l.distance * l.distance / fmaxf(s->light_areas[light] * cosine, 1e-20f);
     l.radiance = s->materials[t->material].emission;
     return l;
 }
@@ -328,11 +333,8 @@ static light_sample draw_lamp(const lobe_scene *s, vec3 from, sampler_point poin
 static light_sample draw_light(const lobe_scene *s, vec3 from, sampler_point point) {
     float sky = sky_probability(s);
     if (sampler_unit(point.bits[0]) < sky) {
-        light_sample l = {.distance = INFINITY};
-        l.direction = lobe_environment_draw(&s->sky, point.bits + 1, &l.pdf);
-        l.radiance = lobe_environment_at(&s->sky, l.direction);
-        l.pdf *= sky;
-        return l;
+        const sky_draw d = lobe_environment_draw(&s->sky, point.bits + 1);
+        return (light_sample){d.direction, d.radiance, INFINITY, d.pdf * sky, 0};
     }
     light_sample l = draw_lamp(s, from, point);
     l.pdf *= 1.0f - sky;
@@ -344,17 +346,22 @@ static float past(float distance) {
     return nextafterf(distance * 1.000001f, INFINITY);
 }
 
+static void note_ray(path *p, vec3 origin, vec3 direction, float from, float to, ray_kind kind) {
+    p->rays++;
+    if (p->k->log) lobe_ray_log_add(p->k->log, (logged_ray){origin, direction, from, to}, kind);
+}
+
 /* The share of light that comes from `distance` away. */
 static float transmittance(path *p, vec3 from, vec3 direction, float distance) {
     const lobe_scene *s = p->k->scene;
     if (s->is_opaque) {
-        p->rays++;
+        note_ray(p, from, direction, 0.0f, -distance, RAY_SHADOW);
         return lobe_tracer_blocked(s->tracer, from, direction, distance) ? 0.0f : 1.0f;
     }
     ray_hit hit;
     float share = 1.0f;
     for (float near = 0.0f; share > 0.0f; near = past(hit.distance)) {
-        p->rays++;
+        note_ray(p, from, direction, near, distance, RAY_SHADOW);
         if (!lobe_tracer_nearest(s->tracer, from, direction, near, distance, &hit)) break;
         share *= 1.0f - opacity_at(s, &hit);
     }
@@ -431,7 +438,8 @@ static int scatter(path *p, const hit_point *h, const surface *surface, int scat
 static int meet_surface(path *p, ray_hit *hit) {
     const lobe_scene *s = p->k->scene;
     for (float near = 0.0f;; near = past(hit->distance)) {
-        p->rays++;
+        note_ray(p, p->origin, p->direction, near, INFINITY,
+                 p->is_camera ? RAY_CAMERA : RAY_BOUNCE);
         if (!lobe_tracer_nearest(s->tracer, p->origin, p->direction, near, INFINITY, hit)) return 0;
         const float opacity = opacity_at(s, hit);
         if (opacity >= 1.0f) return 1;

@@ -4,6 +4,7 @@
 
 #include "film.h"
 #include "lobe/rays.h"
+#include "ray_log.h"
 #include "sampler.h"
 #include "scene.h"
 
@@ -13,6 +14,7 @@ typedef struct integrator {
     const coat_table *const *coats; /* after the last material's, that of COAT_IOR */
     lobe_heuristic heuristic;
     int depth, roulette_depth;
+    ray_log *log; /* of a single thread; NULL: rays are not noted */
 } integrator;
 
 /* `rays` is raised by the rays traced. */

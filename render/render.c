@@ -86,32 +86,35 @@ static float filter_offset(const job *j, uint32_t bits) {
     return j->filter[k] + (x - (float)k) * (j->filter[k + 1] - j->filter[k]);
 }
 
-static film_sample render_sample(const job *j, int x, int y, uint32_t index, uint64_t *rays) {
+static film_sample render_sample(const job *j, int x, int y, sampler points, uint64_t *rays) {
     const lobe_render_options *o = j->options;
-    sampler points = {.key = lobe_sampler_key(o->seed, (uint32_t)x, (uint32_t)y),
-                      .index = index,
-                      .index_bits = lobe_sampler_index_bits(o->samples)};
     sampler_point p = lobe_sampler_next(&points);
     float px = ((float)x + 0.5f + filter_offset(j, p.bits[0])) / (float)o->width * 2.0f - 1.0f;
     float py = 1.0f - ((float)y + 0.5f + filter_offset(j, p.bits[1])) / (float)o->height * 2.0f;
     vec3 d = v3_add(j->forward, v3_add(v3_scale(j->right, px), v3_scale(j->up, py)));
     film_sample sample =
         lobe_trace_path(&j->integrator, j->eye, v3_normalize_or(d, j->forward), &points, rays);
-    sample.is_first_half = lobe_film_is_first_half(index);
+    sample.is_first_half = lobe_film_is_first_half(points.index);
     return sample;
 }
 
 static void render_tile(const void *user, const unit *u, lobe_film *tile, uint64_t *rays) {
     const job *j = user;
+    if (j->integrator.log) lobe_ray_log_begin_unit(j->integrator.log);
     const lobe_render_options *o = j->options;
     const int across = (o->width + TILE - 1) / TILE;
     const int left = (int)u->tile % across * TILE, top = (int)u->tile / across * TILE;
     for (int y = 0; y < TILE && top + y < o->height; y++)
-        for (int x = 0; x < TILE && left + x < o->width; x++)
+        for (int x = 0; x < TILE && left + x < o->width; x++) {
+            sampler points = {
+                .key = lobe_sampler_key(o->seed, (uint32_t)(left + x), (uint32_t)(top + y)),
+                .index_bits = lobe_sampler_index_bits(o->samples)};
             for (uint32_t i = u->first; i < u->first + u->count; i++) {
-                const film_sample sample = render_sample(j, left + x, top + y, i, rays);
+                points.index = i;
+                const film_sample sample = render_sample(j, left + x, top + y, points, rays);
                 lobe_film_add(tile, (size_t)(y * TILE + x), &sample);
             }
+        }
 }
 
 static lobe_render_result aim(job *j) {
@@ -328,18 +331,21 @@ static lobe_render_result lead(crew *c, lobe_film **film, lobe_render_statistics
 }
 
 static lobe_render_result render_with(const coat_table *const *coats, const lobe_scene *scene,
-                                      const lobe_render_options *options, lobe_film **film,
-                                      lobe_render_statistics *statistics) {
+                                      const lobe_render_options *options, ray_log *log,
+                                      lobe_film **film, lobe_render_statistics *statistics) {
     job j = {.scene = scene, .options = options};
     crew c = {.options = options,
               .render = render_tile,
               .user = &j,
               .start = lobe_clock(),
               .before.cpu_seconds = -lobe_cpu_clock()};
-    j.integrator = (integrator){
-        scene,          {.ggx = options->reflection, .multiscatter = options->multiscatter},
-        coats,          options->heuristic,
-        options->depth, options->roulette_depth};
+    j.integrator = (integrator){scene,
+                                {.ggx = options->reflection, .multiscatter = options->multiscatter},
+                                coats,
+                                options->heuristic,
+                                options->depth,
+                                options->roulette_depth,
+                                log};
     char identity[IDENTITY_ROOM] = "";
     lobe_render_result result = aim(&j);
     if (result == LOBE_RENDER_OK) {
@@ -359,8 +365,9 @@ static lobe_render_result render_with(const coat_table *const *coats, const lobe
     return result;
 }
 
-lobe_render_result lobe_render(const lobe_scene *scene, lobe_render_options options,
-                               lobe_film **film, lobe_render_statistics *statistics) {
+static lobe_render_result render_and_log(const lobe_scene *scene, lobe_render_options options,
+                                         ray_log *log, lobe_film **film,
+                                         lobe_render_statistics *statistics) {
     *film = NULL;
     lobe_render_result result = check_options(&options);
     if (result != LOBE_RENDER_OK) return result;
@@ -370,7 +377,22 @@ lobe_render_result lobe_render(const lobe_scene *scene, lobe_render_options opti
         options.reflection.model.method = method_or_best(model);
     const coat_table **coats = lobe_find_coats(scene, &options.reflection);
     result = lobe_ranks_agree(coats ? LOBE_RENDER_OK : lobe_fail_memory(scene->name));
-    if (result == LOBE_RENDER_OK) result = render_with(coats, scene, &options, film, statistics);
+    if (result == LOBE_RENDER_OK)
+        result = render_with(coats, scene, &options, log, film, statistics);
     free(coats);
+    return result;
+}
+
+lobe_render_result lobe_render(const lobe_scene *scene, lobe_render_options options,
+                               lobe_film **film, lobe_render_statistics *statistics) {
+    return render_and_log(scene, options, NULL, film, statistics);
+}
+
+lobe_render_result lobe_render_logged(const lobe_scene *scene, lobe_render_options options,
+                                      ray_log *log, lobe_render_statistics *statistics) {
+    lobe_film *film = NULL;
+    options.threads = 1;
+    const lobe_render_result result = render_and_log(scene, options, log, &film, statistics);
+    lobe_film_free(film);
     return result;
 }

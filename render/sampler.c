@@ -2,42 +2,49 @@
 
 #include "lobe/random.h"
 
-enum { DIMENSIONS = 4, BITS = 32 };
+enum { DIMENSIONS = 4, BITS = 32, NIBBLES = BITS / 4 };
 
-/* Sobol direction numbers, bit-reversed (the first digit of the point is bit 0). The first dimension
- * is van der Corput's; the others follow from the primitive polynomials x + 1, x^2 + x + 1 and
- * x^3 + x + 1 over GF(2) and small odd initial numbers (tools/numerics/sobol_directions.py, which also
- * checks the stratification of every pair). */
-static const uint32_t directions[BITS][DIMENSIONS] = {
-#include "sobol_directions.inc"
+/* One number a dimension. */
+typedef uint32_t words __attribute__((vector_size(16)));
+
+/* What four bits of the index make of the point, by Sobol direction numbers, bit-reversed (the first digit of
+ * the point is bit 0). The first dimension is van der Corput's; the others follow from the primitive
+ * polynomials x + 1, x^2 + x + 1 and x^3 + x + 1 over GF(2) and small odd initial numbers
+ * (tools/numerics/sobol_directions.py, which also checks the stratification of every pair). */
+static const words nibbles[16 * NIBBLES] = {
+#include "sobol_nibbles.inc"
 };
 
-static uint32_t reverse_bits(uint32_t x) {
-    x = __builtin_bswap32(x);
-    x = ((x >> 4) & 0x0f0f0f0fu) | ((x & 0x0f0f0f0fu) << 4);
-    x = ((x >> 2) & 0x33333333u) | ((x & 0x33333333u) << 2);
-    return ((x >> 1) & 0x55555555u) | ((x & 0x55555555u) << 1);
-}
+/* The steps below are the same for a number and for one of each dimension. */
+#define REVERSE_BITS(x)                                                                            \
+    do {                                                                                           \
+        x = (x >> 16) | (x << 16);                                                                 \
+        x = ((x >> 8) & 0x00ff00ffu) | ((x & 0x00ff00ffu) << 8);                                   \
+        x = ((x >> 4) & 0x0f0f0f0fu) | ((x & 0x0f0f0f0fu) << 4);                                   \
+        x = ((x >> 2) & 0x33333333u) | ((x & 0x33333333u) << 2);                                   \
+        x = ((x >> 1) & 0x55555555u) | ((x & 0x55555555u) << 1);                                   \
+    } while (0)
 
 /* A permutation in which a bit depends on the lower ones only: on a reversed number it is a nested
  * uniform (Owen) scrambling. Constants of Burley 2020, listing 2. */
-static uint32_t permute_upward(uint32_t x, uint32_t seed) {
-    x += seed;
-    x ^= x * 0x6c50b47cu;
-    x ^= x * 0xb82f1e52u;
-    x ^= x * 0xc7afe638u;
-    x ^= x * 0x8d22f6e6u;
-    return x;
-}
+#define PERMUTE_UPWARD(x, seed)                                                                    \
+    do {                                                                                           \
+        x += (seed);                                                                               \
+        x ^= x * 0x6c50b47cu;                                                                      \
+        x ^= x * 0xb82f1e52u;                                                                      \
+        x ^= x * 0xc7afe638u;                                                                      \
+        x ^= x * 0x8d22f6e6u;                                                                      \
+    } while (0)
 
 /* A bijection of 32 bits that looks random (the finaliser of MurmurHash3). */
-static uint32_t hash(uint32_t x) {
-    x ^= x >> 16;
-    x *= 0x85ebca6bu;
-    x ^= x >> 13;
-    x *= 0xc2b2ae35u;
-    return x ^ (x >> 16);
-}
+#define HASH(x)                                                                                    \
+    do {                                                                                           \
+        x ^= x >> 16;                                                                              \
+        x *= 0x85ebca6bu;                                                                          \
+        x ^= x >> 13;                                                                              \
+        x *= 0xc2b2ae35u;                                                                          \
+        x ^= x >> 16;                                                                              \
+    } while (0)
 
 uint32_t lobe_sampler_index_bits(uint32_t samples) {
     uint32_t bits = 1;
@@ -50,19 +57,24 @@ uint32_t lobe_sampler_key(uint64_t seed, uint32_t x, uint32_t y) {
 }
 
 sampler_point lobe_sampler_next(sampler *s) {
-    uint32_t key = hash(s->key ^ (s->group++ * 0x9e3779b9u));
-    uint32_t unused = BITS - s->index_bits;
-    uint32_t shuffled = permute_upward(reverse_bits(s->index) >> unused, key) << unused;
-    uint32_t word[DIMENSIONS] = {0};
+    /* the powers of a linear congruential generator: a key a dimension */
+    static const words factors = {0x915f77f5u, 0xca0bb079u, 0xd21f22cdu, 0x980c9931u},
+                       terms = {0x93d765ddu, 0x2b589d5eu, 0xe4aeb2d3u, 0x83759eccu};
+    uint32_t key = s->key ^ (s->group++ * 0x9e3779b9u);
+    HASH(key);
+    const uint32_t unused = BITS - s->index_bits;
+    uint32_t shuffled = s->index;
+    REVERSE_BITS(shuffled);
+    shuffled >>= unused;
+    PERMUTE_UPWARD(shuffled, key);
+    shuffled <<= unused;
     /* `shuffled` is still reversed: its top bit is bit 0 of the index. */
-    for (uint32_t i = 0; i < s->index_bits; i++) {
-        uint32_t mask = 0u - ((shuffled >> (BITS - 1 - i)) & 1u);
-        for (int d = 0; d < DIMENSIONS; d++) word[d] ^= directions[i][d] & mask;
-    }
-    sampler_point point;
-    for (int d = 0; d < DIMENSIONS; d++) {
-        key = key * 0x915f77f5u + 0x93d765ddu;
-        point.bits[d] = reverse_bits(permute_upward(word[d], hash(key)));
-    }
-    return point;
+    words point = nibbles[shuffled >> 28];
+    for (uint32_t i = 1; 4 * i < s->index_bits; i++)
+        point ^= nibbles[16 * i + (shuffled >> (28 - 4 * i) & 15u)];
+    words keys = key * factors + terms;
+    HASH(keys);
+    PERMUTE_UPWARD(point, keys);
+    REVERSE_BITS(point);
+    return (sampler_point){{point[0], point[1], point[2], point[3]}};
 }

@@ -2,7 +2,6 @@
 
 #include <stdatomic.h>
 #include <stdlib.h>
-#include <string.h>
 
 #if __has_include(<embree4/rtcore.h>)
 #include <embree4/rtcore.h>
@@ -173,25 +172,22 @@ void lobe_tracer_free(tracer *t) {
 /* ---- Rays -------------------------------------------------------------------------------------- */
 
 static struct RTCRay ray_of(vec3 origin, vec3 direction, float distance) {
-    struct RTCRay ray;
-    memset(&ray, 0, sizeof ray);
-    ray.org_x = origin.x;
-    ray.org_y = origin.y;
-    ray.org_z = origin.z;
-    ray.dir_x = direction.x;
-    ray.dir_y = direction.y;
-    ray.dir_z = direction.z;
-    ray.tfar = distance;
-    ray.mask = ~0u;
-    return ray;
+    return (struct RTCRay){.org_x = origin.x,
+                           .org_y = origin.y,
+                           .org_z = origin.z,
+                           .dir_x = direction.x,
+                           .dir_y = direction.y,
+                           .dir_z = direction.z,
+                           .tfar = distance,
+                           .mask = ~0u};
 }
 
 int lobe_tracer_nearest(const tracer *t, vec3 origin, vec3 direction, float from, float to,
                         ray_hit *hit) {
-    struct RTCRayHit query;
-    memset(&query, 0, sizeof query);
+    struct RTCRayHit query; /* Embree writes the hit where there is one */
     query.ray = ray_of(origin, direction, to);
     query.ray.tnear = from;
+    query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     INTERSECT(t->scene, &query);
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return 0;
@@ -207,4 +203,18 @@ int lobe_tracer_blocked(const tracer *t, vec3 origin, vec3 direction, float dist
     struct RTCRay ray = ray_of(origin, direction, distance);
     OCCLUDED(t->scene, &ray);
     return ray.tfar < 0.0f;
+}
+
+uint64_t lobe_tracer_replay(const tracer *t, const logged_ray *rays, size_t count) {
+    uint64_t met = 0;
+    for (size_t i = 0; i < count; i++) {
+        const logged_ray *r = &rays[i];
+        if (r->to < 0.0f) {
+            met += (uint64_t)lobe_tracer_blocked(t, r->origin, r->direction, -r->to);
+        } else {
+            ray_hit hit;
+            met += (uint64_t)lobe_tracer_nearest(t, r->origin, r->direction, r->from, r->to, &hit);
+        }
+    }
+    return met;
 }

@@ -3,6 +3,7 @@
 #define LOBE_RENDER_TRACE_H
 
 #include <signal.h>
+#include <stddef.h>
 #include <stdint.h>
 
 #include "vector.h"
@@ -64,5 +65,15 @@ uint64_t lobe_tracer_bytes(const tracer *t, uint64_t *most);
 int lobe_tracer_nearest(const tracer *t, vec3 origin, vec3 direction, float from, float to,
                         ray_hit *hit);
 int lobe_tracer_blocked(const tracer *t, vec3 origin, vec3 direction, float distance);
+
+/* A ray to trace once more. */
+typedef struct logged_ray {
+    vec3 origin, direction;
+    float from;
+    float to; /* negative: whether something is nearer than -to; else the nearest */
+} logged_ray;
+
+/* Nothing but the ray caster, ray by ray; how many met something. */
+uint64_t lobe_tracer_replay(const tracer *t, const logged_ray *rays, size_t count);
 
 #endif

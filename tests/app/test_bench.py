@@ -63,5 +63,47 @@ class BenchTest(ProgramTest):
         self.rejected("bench", "file", where="file")
 
 
+class BenchRenderTest(ProgramTest):
+    SMALL = ("--size", "40x20", "--spp", "3", "--depth", "4")
+
+    def bench(self, *arguments):
+        return json.loads(self.done("bench", "render", "--json", "--rounds", "2", *self.SMALL, *arguments))["rows"]
+
+    def test_rays_are_those_of_the_renderer(self):
+        rows = self.bench("cornell", "gallery", "--threads", "2", "--seed", "5")
+        self.assertEqual([row["scene"] for row in rows], ["cornell", "gallery"])
+        for row in rows:
+            rendered = json.loads(self.done("render", row["scene"], "--json", "--seed", "5", *self.SMALL))
+            self.assertEqual(row["samples"], 40 * 20 * 3)
+            self.assertEqual(row["camera_rays"], row["samples"])
+            rays = row["camera_rays"] + row["bounce_rays"] + row["shadow_rays"]
+            self.assertEqual(rays, rendered["rays"])
+            self.assertAlmostEqual(row["rays_per_sample"], rays / row["samples"])
+            self.assertEqual(row["threads"], 2)
+            for key in ("samples_per_cpu_second", "rays_per_cpu_second", "raw_rays_per_cpu_second", "ratio",
+                        "seconds", "raw_seconds"):
+                self.assertGreater(row[key], 0, key)
+
+    def test_rays_meet_what_they_met(self):
+        """In a closed box with its lamp all that is seen is met, and about half of the shadow rays pass."""
+        one, two = (self.bench("cornell", "--threads", n)[0] for n in "12")
+        counts = ("samples", "camera_rays", "bounce_rays", "shadow_rays", "hits")
+        self.assertEqual([one[c] for c in counts], [two[c] for c in counts])
+        self.assertGreater(one["hits"], one["bounce_rays"])
+        self.assertLess(one["hits"], one["camera_rays"] + one["bounce_rays"] + one["shadow_rays"])
+
+    def test_table(self):
+        lines = self.done("bench", "render", "furnace", "--rounds", "1", *self.SMALL).decode().splitlines()
+        self.assertEqual(lines[0].split()[:2], ["scene", "threads"])
+        self.assertEqual(lines[1].split()[:2], ["furnace", "1"])
+
+    def test_errors(self):
+        self.rejected("bench", "render", "no such scene", where="no such scene")
+        self.rejected("bench", "render", "--rounds", "0", where="--rounds")
+        self.rejected("bench", "render", "--rounds", "1001", where="--rounds")
+        self.rejected("bench", "render", "--spp", "16777217", where="--spp")
+        self.rejected("bench", "render", "cornell", "--camera", "none", where="cornell")
+
+
 if __name__ == "__main__":
     main()

@@ -10,6 +10,7 @@
 
 #include <lobe/random.h>
 
+#include "render/circle.h"
 #include "render/environment.h"
 
 static void alias_table_draws_its_weights(void **state) {
@@ -22,7 +23,7 @@ static void alias_table_draws_its_weights(void **state) {
     assert_true(lobe_alias_create(&table, weights, CELLS));
     for (uint64_t k = 0; k < DRAWS; ++k) {
         lobe_random4 r = lobe_random(11, 0, k);
-        ++counts[alias_draw(&table, r.word[0], lobe_random_unit_f32(r.word[1]))];
+        ++counts[alias_draw(&table, r.word[0], lobe_random_unit_f32(r.word[1])).index];
     }
     int bins = 0;
     for (int i = 0; i < CELLS; ++i) {
@@ -53,9 +54,14 @@ static void environment_lies_where_it_should(void **state) {
     int hits = 0;
     for (uint64_t k = 0; k < 1000; ++k) {
         lobe_random4 r = lobe_random(1, 2, k);
+        const sky_draw draw = lobe_environment_draw(&e, r.word);
+        const vec3 d = draw.direction;
         float pdf;
-        vec3 d = lobe_environment_draw(&e, r.word, &pdf);
-        assert_true(fabsf(lobe_environment_pdf(&e, d) / pdf - 1.0f) < 0.05f);
+        const vec3 light = lobe_environment_meet(&e, d, &pdf);
+        assert_true(fabsf(pdf / draw.pdf - 1.0f) < 0.05f);
+        assert_true(pdf == lobe_environment_pdf(&e, d));
+        assert_true(light.x == lobe_environment_at(&e, d).x);
+        assert_true(fabsf(light.x - draw.radiance.x) < 0.01f);
         /* the bright texel and those it is interpolated with: within two texels, 0.2 radians */
         hits += d.z > 0.95f;
     }
@@ -93,8 +99,32 @@ static void environment_density_integrates_to_one(void **state) {
     lobe_environment_free(&e);
 }
 
+/* Against libm in double, on points all around, and the axes exactly. */
+static void angles_are_right(void **state) {
+    (void)state;
+    const double turn = 6.283185307179586;
+    double worst = 0, worst_turns = 0;
+    for (int i = -200000; i <= 200000; ++i) {
+        const float turns = (float)i / 200000.0f;
+        float sine, cosine;
+        circle_at(turns, &sine, &cosine);
+        worst = fmax(worst, fabs((double)sine - sin(turn * (double)turns)));
+        worst = fmax(worst, fabs((double)cosine - cos(turn * (double)turns)));
+        const double error =
+            (double)circle_turns(sine, cosine) - atan2((double)sine, (double)cosine) / turn;
+        /* half a turn is the same both ways */
+        worst_turns = fmax(worst_turns, fabs(error - round(error)));
+    }
+    assert_true(worst < 1.1e-7);
+    assert_true(worst_turns < 5e-8);
+    assert_true(circle_turns(0, 1) == 0 && circle_turns(1, 0) == 0.25f);
+    assert_true(circle_turns(0, -1) == 0.5f && circle_turns(-1, 0) == -0.25f);
+    assert_true(circle_turns(0, 0) == 0);
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(alias_table_draws_its_weights),
+    const struct CMUnitTest tests[] = {cmocka_unit_test(angles_are_right),
+                                       cmocka_unit_test(alias_table_draws_its_weights),
                                        cmocka_unit_test(environment_lies_where_it_should),
                                        cmocka_unit_test(environment_density_integrates_to_one)};
     return cmocka_run_group_tests(tests, NULL, NULL);

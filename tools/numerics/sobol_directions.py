@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Write sobol_directions.inc: Sobol direction numbers of four dimensions, bit-reversed.
+"""Write sobol_nibbles.inc: what four bits of the index make of a point, by Sobol direction numbers of four
+dimensions, bit-reversed. Row 16 k + n: the bits 4 k to 4 k + 3 of the index are n, the first one on top.
 
 The recurrence is Sobol's (1967), as in Bratley & Fox 1988. The initial numbers are those, of all
 odd choices, whose two-dimensional projections are stratified best: the script tries them all and
@@ -59,9 +60,13 @@ def main():
     best = min(itertools.product(*choices), key=lambda c: sum(
         defect(a, b) for a, b in itertools.combinations([van_der_corput, *c], 2)))
     table = [van_der_corput, *best]
-    for i in range(BITS):
-        row = [int(f"{d[i]:032b}"[::-1], 2) for d in table]
-        print("    {" + ", ".join(f"0x{x:08x}u" for x in row) + "},")
+    for nibble in range(BITS // 4):
+        for bits in range(16):
+            row = [0] * len(table)
+            for i in range(4):
+                if bits >> (3 - i) & 1:
+                    row = [x ^ int(f"{d[4 * nibble + i]:032b}"[::-1], 2) for x, d in zip(row, table)]
+            print("    {" + ", ".join(f"0x{x:08x}u" for x in row) + "},")
 
 
 main()
