@@ -1,0 +1,43 @@
+/* What the files of this room share: the arrays that the page sees, and the two prepared models. The page
+ * calls the functions that have an export name, with numbers only, and reads and writes these arrays
+ * through views of the memory. Everything has its place from the start: nothing is allocated, so the memory
+ * of the page stays as large as it is. */
+#ifndef LOBE_WASM_PAGE_H
+#define LOBE_WASM_PAGE_H
+
+#include <lobe/lobe.h>
+
+#define EXPORT(name) __attribute__((export_name(#name)))
+
+enum {
+    ROWS = 1 << 16, /* draws of a method at most */
+    METHODS = 2     /* A and B, side by side */
+};
+
+/* Draws of one method, an array a number. */
+typedef struct rows {
+    float m[3][ROWS], wo[3][ROWS];
+    float cos_im[ROWS], pdf_m[ROWS], pdf[ROWS], weight[ROWS];
+} rows;
+
+/* What is looked at: a direction, roughness, a geometric normal, and what is sampled. */
+typedef struct scene {
+    lobe_reflection_options options;
+    lobe_vec3_f32 wi, plane;
+    float alpha[2];
+} scene;
+
+extern float page_numbers[3][ROWS]; /* u1, u2, u3 */
+extern float page_query[3][ROWS];   /* directions to evaluate */
+extern float page_answer[2][ROWS];  /* density, f cos */
+extern double page_result[512];     /* the numbers of whatever was asked last */
+extern rows page_rows[METHODS];
+extern scene page_scene[METHODS];
+extern lobe_reflection_f32 page_model[METHODS];
+
+/* Draws with page_numbers from `first` on: to the same rows. */
+void page_draw_rows(int method, int first, int count);
+/* Density and f cos of the first `count` directions of page_query. */
+void page_eval_rows(int method, int count);
+
+#endif
