@@ -30,7 +30,11 @@ export function kernelOf(instance) {
         numbers: columns(x.numbers_at(), 3),
         query: columns(x.query_at(), 3),
         answer: columns(x.answer_at(), 2),
-        result: new Float64Array(x.memory.buffer, x.result_at(), 512),
+        curve: Array.from({ length: 4 }, (_, k) => floats(x.curve_at() + 4 * x.curve_at_most() * k, x.curve_at_most())),
+        expected: [0, 1].map((k) => floats(x.expected_at(k), 512 + 45 + 36)),
+        observed: [0, 1].map((k) => floats(x.observed_at(k), 512 + 45 + 36)),
+        picture: [0, 1].map((k) => new Uint8ClampedArray(x.memory.buffer, x.picture_at(k), 4 * x.picture_side() ** 2)),
+        result: new Float64Array(x.memory.buffer, x.result_at(), 16),
         draws: [draws(0), draws(1)],
     };
 }
@@ -39,6 +43,6 @@ export function kernelOf(instance) {
 export async function loadKernel(base) {
     const response = await fetch(new URL(fileName(), base));
     if (!response.ok) throw new Error(`${fileName()}: ${response.status}`);
-    const { instance } = await WebAssembly.instantiate(await response.arrayBuffer(), {});
+    const { instance } = await WebAssembly.instantiate(await response.arrayBuffer(), { Math });
     return kernelOf(instance);
 }

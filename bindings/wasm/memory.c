@@ -6,7 +6,8 @@
 float page_numbers[3][ROWS];
 float page_query[3][ROWS];
 float page_answer[2][ROWS];
-double page_result[512];
+float page_curve[4][CURVE];
+double page_result[16];
 rows page_rows[METHODS];
 
 /* The library asks the environment for an instruction set; a page has none. */
@@ -34,6 +35,17 @@ float *page_query_at(void) {
 EXPORT(answer_at) float *page_answer_at(void);
 float *page_answer_at(void) {
     return page_answer[0];
+}
+
+/* Four arrays of curve_at_most() numbers. */
+EXPORT(curve_at) float *page_curve_at(void);
+float *page_curve_at(void) {
+    return page_curve[0];
+}
+
+EXPORT(curve_at_most) int page_curve_at_most(void);
+int page_curve_at_most(void) {
+    return CURVE;
 }
 
 EXPORT(result_at) double *page_result_at(void);

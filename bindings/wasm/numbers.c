@@ -32,25 +32,33 @@ static void stratified_numbers(uint64_t seed, int count) {
     }
 }
 
-/* Three dimensions: van der Corput's, and those of the polynomials x + 1 and x^2 + x + 1 with the first
- * numbers 1 and 1, 3 (Sobol 1967, Joe & Kuo 2008); the digits are shifted by a random number. */
-static void sobol_numbers(uint64_t seed, int count) {
-    uint32_t v[3][32];
+/* Direction numbers of three dimensions: van der Corput's, and those of the polynomials x + 1 and x^2 + x + 1
+ * with the first numbers 1 and 1, 3 (Sobol 1967, Joe & Kuo 2008). */
+static uint32_t directions[3][32];
+
+static void make_directions(void) {
     for (int j = 0; j < 32; ++j) {
-        v[0][j] = 0x80000000u >> j;
-        v[1][j] = j == 0 ? 0x80000000u : v[1][j - 1] ^ (v[1][j - 1] >> 1);
-        v[2][j] = j == 0   ? 0x80000000u
-                  : j == 1 ? 0xc0000000u
-                           : v[2][j - 1] ^ v[2][j - 2] ^ (v[2][j - 2] >> 2);
+        uint32_t *x = directions[0] + j, *y = directions[1] + j, *z = directions[2] + j;
+        *x = 0x80000000u >> j;
+        *y = j == 0 ? *x : y[-1] ^ (y[-1] >> 1);
+        *z = j == 0 ? *x : j == 1 ? 0xc0000000u : z[-1] ^ z[-2] ^ (z[-2] >> 2);
     }
+}
+
+/* In the order of Gray codes: one digit of the index changes from a point to the next. */
+void page_sobol_next(uint32_t x[3], uint32_t i) {
+    if (directions[0][0] == 0) make_directions();
+    const int digit = __builtin_ctz(i + 1);
+    for (int k = 0; k < 3; ++k) x[k] ^= directions[k][digit];
+}
+
+/* The digits are shifted by a random number. */
+static void sobol_numbers(uint64_t seed, int count) {
     const lobe_random4 shift = lobe_random(seed, 1, 0);
     uint32_t x[3] = {shift.word[0], shift.word[1], shift.word[2]};
     for (int i = 0; i < count; ++i) {
-        const int next = __builtin_ctz((unsigned)i + 1); /* in the order of Gray codes */
-        for (int k = 0; k < 3; ++k) {
-            page_numbers[k][i] = lobe_random_unit_f32(x[k]);
-            x[k] ^= v[k][next];
-        }
+        for (int k = 0; k < 3; ++k) page_numbers[k][i] = lobe_random_unit_f32(x[k]);
+        page_sobol_next(x, (uint32_t)i);
     }
 }
 
