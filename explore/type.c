@@ -9,6 +9,7 @@ static const struct {
              {".js", "text/javascript; charset=utf-8"},
              {".mjs", "text/javascript; charset=utf-8"},
              {".wasm", "application/wasm"},
+             {".gz", "application/gzip"},
              {".json", "application/json"},
              {".webmanifest", "application/manifest+json"},
              {".svg", "image/svg+xml"},

@@ -13,7 +13,7 @@ from program import ERROR_LINE, PROGRAM, FolderTest, main, run
 
 TYPES = {".html": "text/html; charset=utf-8", ".css": "text/css; charset=utf-8",
          ".js": "text/javascript; charset=utf-8", ".wasm": "application/wasm",
-         ".svg": "image/svg+xml", ".png": "image/png", ".json": "application/json",
+         ".gz": "application/gzip", ".svg": "image/svg+xml", ".png": "image/png", ".json": "application/json",
          ".webmanifest": "application/manifest+json", ".txt": "text/plain; charset=utf-8"}
 HEADERS = {"X-Content-Type-Options": "nosniff", "Referrer-Policy": "no-referrer",
            "Cross-Origin-Opener-Policy": "same-origin",

@@ -17,7 +17,7 @@ const page_file lobe_page_files[] = {{0}};
 const int lobe_page_count = 0;
 
 static void assert_told(void) {
-    assert_non_null(strstr(lobe_explore_error_message(), "; install clang, lld and wasi-libc"));
+    assert_non_null(strstr(lobe_explore_error_message(), "; install clang, lld, wasi-libc and "));
     assert_null(strchr(lobe_explore_error_message(), '\n'));
 }
 
