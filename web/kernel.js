@@ -26,7 +26,7 @@ export function kernelOf(instance) {
         return new TextDecoder().decode(bytes.subarray(0, bytes.indexOf(0)));
     };
     return {
-        ...x, rows, text,
+        ...x, rows, text, file: fileName(),
         numbers: columns(x.numbers_at(), 3),
         query: columns(x.query_at(), 3),
         answer: columns(x.answer_at(), 2),

@@ -166,3 +166,24 @@ int page_bounds(void) {
     }
     return STEPS;
 }
+
+EXPORT(region) void page_region(int rings, int sectors);
+/* Where the reflections lie that leave the surface: page_query: those of (rings + 1) x (sectors + 1) directions
+ * from the normal to the horizon, around it. */
+void page_region(int rings, int sectors) {
+    const vec3 i = page_scene[0].wi;
+    for (int j = 0; j <= rings; ++j) {
+        const double theta = 1.5707963267948966 * j / rings;
+        for (int k = 0; k <= sectors; ++k) {
+            const double phi = 6.283185307179586 * k / sectors, s = host_sin(theta);
+            const vec3 o = {(float)(s * host_cos(phi)), (float)(s * host_sin(phi)),
+                            (float)host_cos(theta)};
+            const vec3 h = {i.x + o.x, i.y + o.y, i.z + o.z};
+            const vec3 r = stretched_wo(page_unit(page_dot(h, h) > 1e-12f ? h : (vec3){0, 0, 1}));
+            const int at = j * (sectors + 1) + k;
+            page_query[0][at] = r.x;
+            page_query[1][at] = r.y;
+            page_query[2][at] = r.z;
+        }
+    }
+}
