@@ -225,7 +225,8 @@ class AnswerTest(ServerTest):
 
     def test_many_requests(self):
         """Memory and files stay what they are."""
-        program = self.start()
+        # An instrumented build keeps what was freed; otherwise this says nothing.
+        program = self.start(environment={**os.environ, "ASAN_OPTIONS": "quarantine_size_mb=1"})
         counted = lambda: (int(Path(f"/proc/{program.pid}/statm").read_text().split()[1]),
                            len(list(Path(f"/proc/{program.pid}/fd").iterdir())))
         for _ in range(100):
@@ -371,7 +372,7 @@ class WriteTest(ServerTest):
         """One error line and nothing left, wherever the space ends."""
         page = self.page()
         sizes = sorted({len(content) for content in page.values()})
-        for limit in {0, sizes[0] - 1, sizes[len(sizes) // 2] - 1, sizes[-1] - 1}:
+        for limit in {0, max(sizes[0] - 1, 0), sizes[len(sizes) // 2] - 1, sizes[-1] - 1}:
             def shrink():
                 signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
                 resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit))
