@@ -1,8 +1,8 @@
 // What the page shows, and how it stands in the address.
 
 export const DEFAULTS = {
-    ax: 0.1, ay: 1, theta: 60, phi: 0, nt: null, np: 90, ndf: "ggx", masking: "smith",
-    a: "caps", b: "optimal", n: 4096, u: "random", seed: 1,
+    ax: 0.2, ay: 0.8, theta: 60, phi: 45, nt: null, np: 90, ndf: "ggx", masking: "smith",
+    a: "bounded", b: "optimal", n: 4096, u: "random", seed: 1,
     show: "both", yaw: 55, pitch: 24, split: 50, spp: 4, code: "a", lang: "c", theme: "auto", tour: 0,
 };
 
