@@ -143,21 +143,25 @@ def head(title, kernel, family):
             "squared; u in [0, 1).\n" + use(kernel, family) + " */\n")
 
 
+def single_file(language, kernels, title):
+    """The text of the file."""
+    text = binding(language)
+    for name in in_order([kernel + ".h" for kernel in kernels]):
+        text += "\n" + without_guard((KERNEL / name).read_text())
+    text = prefixed(plain(settle(text), language))
+    text = re.sub(r"\n{3,}", "\n\n", text).strip() + "\n"
+    before, after = C_GUARD if language == "c" else ("", "")
+    return head(title, kernels[0], family_of(kernels[0])) + before + text + after
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("language", choices=sorted(BINDING))
     parser.add_argument("kernels", nargs="+", metavar="KERNEL", help="as ggx_bounded")
     parser.add_argument("--title", default="", help="first line of the file's comment")
     arguments = parser.parse_args()
-    files = in_order([name + ".h" for name in arguments.kernels])
-    text = binding(arguments.language)
-    text += "".join("\n" + without_guard((KERNEL / name).read_text()) for name in files)
-    text = prefixed(plain(settle(text), arguments.language))
-    text = re.sub(r"\n{3,}", "\n\n", text).strip() + "\n"
-    first = arguments.kernels[0]
-    before, after = C_GUARD if arguments.language == "c" else ("", "")
     title = arguments.title or " ".join(arguments.kernels)
-    sys.stdout.write(head(title, first, family_of(first)) + before + text + after)
+    sys.stdout.write(single_file(arguments.language, arguments.kernels, title))
 
 
 if __name__ == "__main__":

@@ -20,11 +20,15 @@ def piece(name):
     return {"needs": needs, "text": dropin.settle(dropin.without_guard(source))}
 
 
+def models():
+    """The kernels of LOBE_MODELS."""
+    text = (dropin.ROOT / "include/lobe/methods.h").read_text()
+    return re.findall(r"^    X\([A-Z]+, [A-Z]+, [A-Z_]+, (\w+)\)", text, re.M)
+
+
 def main():
     target = Path(sys.argv[1])
-    models = (dropin.ROOT / "include/lobe/methods.h").read_text()
-    names = re.findall(r"^    X\([A-Z]+, [A-Z]+, [A-Z_]+, (\w+)\)", models, re.M)
-    files = dropin.in_order([name + ".h" for name in names])
+    files = dropin.in_order([name + ".h" for name in models()])
     pieces = {
         "head": dropin.head("@KERNEL@", "@KERNEL@", "@FAMILY@"),
         "guard": list(dropin.C_GUARD),

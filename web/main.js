@@ -38,9 +38,9 @@ async function addViews(store, kernel, models, views) {
     views.add($("view-histogram"), histogram);
     views.add($("view-grid"), new GridView(store, kernel));
     views.add($("view-picture"), picture);
-    const slow = new Slow(models, store, (data) => {
+    const slow = new Slow(models, store, (data, fresh) => {
         if (data.kind === "integrals") {
-            histogram.take(data.expected);
+            histogram.take(data.expected, fresh);
             numbers.exact = data.albedo;
             views.touch("view-histogram", "view-numbers");
         } else if (data.kind === "rows") picture.take(data.first, data.count, data.rows);
@@ -49,8 +49,7 @@ async function addViews(store, kernel, models, views) {
     slow.ask({ integrals: true, picture: true });
     store.listeners.push((changed) => {
         if (any(changed, SCENE)) {
-            histogram.take(null);
-            numbers.exact = NaN;
+            histogram.age();
             slow.ask({ integrals: true, picture: any(changed, ["ax", "ay", "ndf", "masking", "a", "b"]) });
         }
         if (any(changed, ["seed", "spp"])) slow.ask({ picture: true });

@@ -1,8 +1,8 @@
 // What the page shows, and how it stands in the address.
 
 export const DEFAULTS = {
-    ax: 0.1, ay: 1, theta: 60, phi: 0, nt: null, np: 90, ndf: "ggx", masking: "smith",
-    a: "caps", b: "optimal", n: 4096, u: "random", seed: 1,
+    ax: 0.2, ay: 0.8, theta: 60, phi: 45, nt: null, np: 90, ndf: "ggx", masking: "smith",
+    a: "bounded", b: "optimal", n: 4096, u: "random", seed: 1,
     show: "both", yaw: 55, pitch: 24, split: 50, spp: 4, code: "a", lang: "c", theme: "auto", tour: 0,
 };
 
@@ -11,6 +11,7 @@ const RANGES = {
     n: [1, 65536], seed: [0, 2 ** 31 - 1], yaw: [-360, 360], pitch: [-90, 90], split: [0, 100],
     spp: [1, 64], tour: [0, 7],
 };
+const PICTURE_SAMPLES = [1, 4, 16, 64];
 const WHOLE = new Set(["n", "seed", "spp", "tour"]);
 const WORDS = {
     ndf: ["ggx", "beckmann"], masking: ["smith", "vcavity"], u: ["random", "stratified", "sobol"],
@@ -20,6 +21,7 @@ const WORDS = {
 function number(key, text) {
     const [low, high] = RANGES[key], value = Number(text);
     if (text === "" || !Number.isFinite(value)) return DEFAULTS[key];
+    if (key === "spp" && !PICTURE_SAMPLES.includes(value)) return DEFAULTS.spp;
     const clamped = Math.min(Math.max(value, low), high);
     return WHOLE.has(key) ? Math.round(clamped) : clamped;
 }
@@ -28,8 +30,8 @@ function number(key, text) {
 export function parse(hash) {
     const state = { ...DEFAULTS };
     for (const [key, text] of new URLSearchParams(hash.replace(/^#/, ""))) {
-        if (key in RANGES) state[key] = number(key, text);
-        else if (key in WORDS && WORDS[key].includes(text)) state[key] = text;
+        if (Object.hasOwn(RANGES, key)) state[key] = number(key, text);
+        else if (Object.hasOwn(WORDS, key) && WORDS[key].includes(text)) state[key] = text;
         else if (key === "a" || key === "b") state[key] = text;
     }
     return state;

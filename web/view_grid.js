@@ -2,7 +2,7 @@
 import { $, colours } from "./page.js";
 import { Sheet, word } from "./canvas.js";
 
-const LINES = 12, STEPS = 48;
+const LINES = 10, STEPS = 160;
 
 export class GridView {
     constructor(store, kernel) {
@@ -11,16 +11,18 @@ export class GridView {
 
     draw() {
         const { sheet, store: { state } } = this, [w, h] = sheet.begin(), em = colours.size;
-        const side = Math.min((w - 2.4 * em) / 3, h - 3.2 * em), gap = (w - 3 * side) / 3;
-        const top = 1.5 * em + (h - 3.2 * em - side) / 2, left = (k) => gap / 2 + k * (side + gap);
+        // a smaller square, and two disks
+        const side = Math.min((w - 3.4 * em) / 2.7, h - 3.2 * em), gap = (w - em - 2.7 * side) / 3;
+        const top = 1.5 * em + (h - 3.2 * em - side) / 2, square = 0.7 * side;
+        const left = (k) => em + (k === 0 ? 0.5 * gap : 1.3 * gap + square + (k - 1) * (side + gap));
         const panels = [];
-        this.square(left(0), top, side);
+        this.square(left(0), top + 0.15 * side, square);
         for (let method = 0; method < 2; ++method) {
             const disk = { x: left(method + 1) + side / 2, y: top + side / 2, r: side / 2 };
             this.disk(disk, method, state);
             panels.push(disk);
         }
-        this.dots(left(0), top, side, panels, state);
+        this.dots(left(0), top + 0.15 * side, square, panels, state);
     }
 
     square(x, y, side) {

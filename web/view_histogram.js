@@ -12,13 +12,18 @@ export class HistogramView {
         this.fresh = false;
     }
 
-    /** What the density says, from whoever integrated it; `false` while it is out of date. */
-    take(expected) {
-        this.fresh = expected !== null;
-        if (expected) expected.forEach((values, k) => {
+    /** What the density says, from whoever integrated it, and whether of the surface that is shown. */
+    take(expected, fresh) {
+        this.fresh = fresh;
+        expected.forEach((values, k) => {
             this.expected[k].set(values);
             this.kernel.expected[k].set(values);
         });
+    }
+
+    /** Something has changed: until there are new integrals, the old line stays and no test is made. */
+    age() {
+        this.fresh = false;
     }
 
     draw() {
@@ -58,7 +63,7 @@ export class HistogramView {
         }
         for (const k of methods)
             this.sheet.line(count, (i) => [plot.x(axis.low + (i + 0.5) * width), plot.y(this.expected[k][first + i] / width)],
-                { colour: colours["ab"[k]], width: this.fresh ? 1.8 : 0, dash: k ? [5, 3] : [] });
+                { colour: colours["ab"[k]], width: 1.8, dash: k ? [5, 3] : [] });
     }
 
     chi(method, state) {

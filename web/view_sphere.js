@@ -20,8 +20,8 @@ void main() { front = dot(uToward, p.xyz); left = p.w; gl_Position = place(p.xyz
 `in float front; in float left; uniform vec4 uColour; out vec4 c;
 void main() { float r = length(2.0 * gl_PointCoord - 1.0); if (r > 1.0 || (left == 0.0 && r < 0.45)) discard;
   c = uColour; c.a *= front < 0.0 ? 0.4 : 1.0; c.rgb *= c.a; }`];
-const SURFACE = [`${PLACE} layout(location = 0) in vec3 p; out vec3 q;
-void main() { q = p; gl_Position = place(p); }`,
+const SURFACE = [`${PLACE} uniform float uGain; layout(location = 0) in vec3 p; out vec3 q;
+void main() { q = uGain * p; gl_Position = place(q); }`,
 `in vec3 q; uniform vec4 uColour; uniform vec3 uToward, uRight, uUp; out vec4 c;
 void main() { vec3 n = normalize(cross(dFdx(q), dFdy(q))); if (dot(n, uToward) < 0.0) n = -n;
   float light = 0.5 + 0.5 * max(dot(n, normalize(uToward + 0.5 * uUp - 0.4 * uRight)), 0.0);
@@ -44,6 +44,7 @@ export class SphereView {
         this.store = store;
         this.kernel = kernel;
         this.canvas = $("sphere");
+        this.peaks = [1, 1];
         const gl = this.gl = this.canvas.getContext("webgl2",
             { alpha: true, premultipliedAlpha: true, antialias: true });
         if (!gl) {
@@ -117,39 +118,37 @@ export class SphereView {
     data() {
         if (!this.gl) return;
         const { kernel, store: { state } } = this;
-        let peak = 1e-30;
         for (let method = 0; method < 2; ++method) {
             this.readDots(method, state.n);
             kernel.mesh(method, RINGS, SECTORS);
-            this.readMesh(method);
-            for (let k = 0; k < MESH; ++k) peak = Math.max(peak, kernel.answer[0][k]);
+            this.peaks[method] = this.readMesh(method);
         }
-        this.peak = peak;
         this.makeLines(state);
     }
 
     readDots(method, n) {
-        const { wo, m, pdf } = this.kernel.draws[method], target = this.dots[method].data;
+        const { wo, pdf } = this.kernel.draws[method], target = this.dots[method].data;
         for (let k = 0, at = 0; k < n; ++k, at += 4) {
             target[at] = wo[0][k];
             target[at + 1] = wo[1][k];
             target[at + 2] = wo[2][k];
             target[at + 3] = pdf[k] > 0 ? 1 : 0;
         }
-        this.dots[method].write(m[0].length === 0 ? 0 : n);
+        this.dots[method].write(n);
     }
 
     readMesh(method) {
         const { query, answer } = this.kernel, target = this.surfaces[method].data;
         let peak = 1e-30;
-        for (let k = 0; k < MESH; ++k) peak = Math.max(peak, answer[0][k]);
         for (let k = 0, at = 0; k < MESH; ++k, at += 3) {
-            const r = 0.96 * answer[0][k] / peak;
+            const r = answer[0][k];
+            if (r > peak) peak = r;
             target[at] = r * query[0][k];
             target[at + 1] = r * query[1][k];
             target[at + 2] = r * query[2][k];
         }
         this.surfaces[method].write(MESH);
+        return peak;
     }
 
     /** Segments: surface and meridians; then axis and directions. */
@@ -232,10 +231,12 @@ export class SphereView {
 
     drawSurfaces(camera, w, h) {
         const { gl } = this, colour = this.use(this.surfaceProgram, camera, w, h);
-        const both = this.shown(0) && this.shown(1);
+        const both = this.shown(0) && this.shown(1), { peaks } = this;
+        // on one scale, the higher one last: the other shines through it
+        const order = peaks[0] > peaks[1] ? [1, 0] : [0, 1], shown = order.filter((method) => this.shown(method));
+        gl.uniform1f(this.surfaceProgram.at.uGain, 0.96 / peaks[shown[shown.length - 1]]);
         gl.enable(gl.DEPTH_TEST);
-        for (let method = 0; method < 2; ++method) {
-            if (!this.shown(method)) continue;
+        for (const method of shown) {
             gl.clear(gl.DEPTH_BUFFER_BIT);
             // first where it is nearest, then its colour: no surface shines through itself
             gl.depthFunc(gl.LESS);
@@ -244,7 +245,7 @@ export class SphereView {
             this.surfaces[method].draw(gl.TRIANGLES);
             gl.colorMask(true, true, true, true);
             gl.depthFunc(gl.LEQUAL);
-            colour("ab"[method], both ? 0.6 : 0.85);
+            colour("ab"[method], both && method === order[1] ? 0.38 : 0.85);
             this.surfaces[method].draw(gl.TRIANGLES);
         }
         gl.disable(gl.DEPTH_TEST);

@@ -111,12 +111,12 @@ export class StretchedView {
     }
 
     dots(state) {
-        const { kernel, sheet } = this, { query } = kernel, n = Math.min(state.n, 16384);
+        const { kernel, sheet } = this, { query } = kernel, n = Math.min(state.n, 10000);
         const size = Math.max(1, Math.round((n > 4096 ? 1 : n > 512 ? 1.5 : 3) * sheet.scale));
         sheet.beginDots();
         for (let method = 0; method < 2; ++method) {
             if (state.show !== "both" && state.show !== "ab"[method]) continue;
-            const colour = colours["ab"[method]], near = word(colour, 0.75), far = word(colour, 0.22);
+            const colour = colours["ab"[method]], near = word(colour, n > 2000 ? 0.55 : 0.8), far = word(colour, 0.16);
             kernel.stretch_draws(method, n);
             const { right, up, toward } = this.camera, [cx, cy] = this.at([0, 0, 0]), r = this.radius;
             for (let k = 0; k < n; ++k) {

@@ -25,9 +25,10 @@ async function picture(job) {
         const rows = kernel.picture.map((p) => p.slice(4 * side * first, 4 * side * (first + ROWS)));
         postMessage({ kind: "rows", id: job.id, first, count: ROWS, rows }, rows.map((r) => r.buffer));
         await breath();
-        if (asked) return;
+        if (asked) return false;
     }
     postMessage({ kind: "noise", id: job.id, spp: job.spp, noise: [0, 1].map((k) => kernel.picture_noise(k)) });
+    return true;
 }
 
 let working = false;
@@ -38,11 +39,10 @@ async function work() {
         asked = null;
         if (job.integrals) integrals(job);
         await breath();
-        if (job.picture && !asked) await picture(job);
-        else if (job.picture && asked) asked.picture = true;
+        const done = !job.picture || (!asked && await picture(job));
+        if (!done) asked.picture = true;
     }
     working = false;
-    postMessage({ kind: "idle" });
 }
 
 onmessage = ({ data }) => {

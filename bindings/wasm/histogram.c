@@ -2,7 +2,7 @@
  *
  * Directions are binned by their half vector in the stretched hemisphere (Heitz 2018), by height and azimuth:
  * there every lobe is broad, however smooth the surface is. The density of the library at a direction, times
- * the Jacobians of reflection and stretching, is summed over 2^15 Sobol points: 64 in each bin. */
+ * the Jacobians of reflection and stretching, is summed over 2^17 Sobol points: 256 in each bin. */
 #include "host.h"
 #include "page.h"
 
@@ -17,7 +17,7 @@ enum {
     BINS = RINGS * SECTORS,
     THETAS = 45, /* bins of the angle from the normal, 2 degrees each */
     PHIS = 36,   /* and around it, 10 degrees each */
-    POINTS = 1 << 15
+    POINTS = 1 << 17
 };
 
 typedef lobe_vec3_f32 vec3;
