@@ -8,7 +8,8 @@
 typedef lobe_app_status lobe_app_run(int argc, char **argv);
 
 lobe_app_run lobe_app_sample, lobe_app_eval, lobe_app_albedo, lobe_app_verify, lobe_app_bench,
-    lobe_app_render, lobe_app_compare, lobe_app_merge, lobe_app_figure, lobe_app_ssr, lobe_app_info;
+    lobe_app_render, lobe_app_compare, lobe_app_merge, lobe_app_figure, lobe_app_explore,
+    lobe_app_ssr, lobe_app_info;
 
 /* `lobe bench render` */
 lobe_app_run lobe_app_bench_render;

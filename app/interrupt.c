@@ -16,3 +16,22 @@ void lobe_app_catch_interrupt(void) {
     sigaction(SIGINT, &action, NULL);
     sigaction(SIGTERM, &action, NULL);
 }
+
+static sigset_t interrupts(void) {
+    sigset_t set;
+    sigemptyset(&set);
+    sigaddset(&set, SIGINT);
+    sigaddset(&set, SIGTERM);
+    return set;
+}
+
+void lobe_app_hold_interrupt(void) {
+    const sigset_t set = interrupts();
+    sigprocmask(SIG_BLOCK, &set, NULL);
+}
+
+void lobe_app_await_interrupt(void) {
+    const sigset_t set = interrupts();
+    int number;
+    while (sigwait(&set, &number) != 0) continue;
+}

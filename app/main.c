@@ -26,6 +26,7 @@ static const struct {
     {"compare", lobe_app_compare, "tell which method is better on a scene, or pictures apart"},
     {"merge", lobe_app_merge, "join renders of several seeds or parts"},
     {"figure", lobe_app_figure, "draw a figure of the papers"},
+    {"explore", lobe_app_explore, "see it all in the browser, interactively"},
     {"ssr", lobe_app_ssr, "reflect what is on the screen, and judge it by real rays"},
 };
 

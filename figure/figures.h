@@ -69,7 +69,9 @@ lobe_figure_result lobe_figure_fail_memory(void);
     X(multiscatter, "multiscatter", "all scatterings on a metal: approximations and random walks", \
       "after Turquin 2019", LOBE_FIGURE_READS_SAMPLES | LOBE_FIGURE_READS_SEED)                    \
     X(normal_mapped, "normal-mapped", "shading normals that face away: bias of the normalisation", \
-      "Tokuyoshi 2021, supplement, Fig. 2", LOBE_FIGURE_READS_SPP | LOBE_FIGURE_READS_SEED)
+      "Tokuyoshi 2021, supplement, Fig. 2", LOBE_FIGURE_READS_SPP | LOBE_FIGURE_READS_SEED)        \
+    X(ssr_passes, "ssr-passes", "screen-space reflections, pass by pass, and real rays",           \
+      "after the notes on HDRP, Fig. 1", LOBE_FIGURE_READS_SPP | LOBE_FIGURE_READS_SEED)
 
 typedef lobe_figure_result figure_function(run *r);
 

@@ -91,11 +91,20 @@ ALL_MODELS(DEFINE_SHARED)
 LOBE_MODELS(DEFINE_EACH)
 #undef DEFINE_EACH
 
+/* All that a small build has is draws of prepared models. */
+#if defined(LOBE_SMALL)
+#define UNLESS_SMALL(function) NULL
+#else
+#define UNLESS_SMALL(function) function
+#endif
+
 /* What stands in above a tilted plane is always prepared: rows that are not have no such plane. */
 #define TABLE_ROW(NDF, MASKING, METHOD, kernel)                                                    \
-    {kernel##_sample_each, kernel##_sample_shared, kernel##_eval_each, kernel##_eval_shared},
+    {UNLESS_SMALL(kernel##_sample_each), kernel##_sample_shared, UNLESS_SMALL(kernel##_eval_each), \
+     UNLESS_SMALL(kernel##_eval_shared)},
 #define TILTED_ROW(NDF, MASKING, METHOD, kernel)                                                   \
-    {NULL, kernel##_sample_shared, NULL, kernel##_eval_shared},
+    {NULL, kernel##_sample_shared, NULL, UNLESS_SMALL(kernel##_eval_shared)},
 const batch_row BATCH_TABLE[ROW_COUNT] = {LOBE_MODELS(TABLE_ROW) TILTED_MODELS(TILTED_ROW)};
 #undef TABLE_ROW
 #undef TILTED_ROW
+#undef UNLESS_SMALL

@@ -2,7 +2,9 @@
 #ifndef LOBE_ISA_H
 #define LOBE_ISA_H
 
-/* LOBE_SCALAR_ONLY: instrumented builds, where loops are not vectorised and take minutes to compile. */
+/* LOBE_SCALAR_ONLY: instrumented builds, where loops are not vectorised and take minutes to compile.
+ * LOBE_SMALL: WebAssembly that has to be small (bindings/wasm): of the batches only
+ * draws of prepared models, and them in vectors only. */
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(LOBE_SCALAR_ONLY)
 #define LOBE_ISA_X86
 #endif
@@ -16,6 +18,8 @@
     X(AVX512, avx512, "avx512")
 #elif defined(__aarch64__) && !defined(LOBE_SCALAR_ONLY)
 #define LOBE_ISAS(X) X(SCALAR, scalar, "scalar") X(NEON, neon, "neon")
+#elif defined(__wasm__) && defined(LOBE_SMALL)
+#define LOBE_ISAS(X) X(SIMD128, simd128, "simd128")
 #elif defined(__wasm__) && !defined(LOBE_SCALAR_ONLY)
 #define LOBE_ISAS(X) X(SCALAR, scalar, "scalar") X(SIMD128, simd128, "simd128")
 #else

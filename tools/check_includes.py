@@ -24,6 +24,7 @@ MAY_INCLUDE = {
     "examples": {"include"},
     "bench": {"include"},
     "figure": {"include"},
+    "explore": {"include"},
     "tests": None,  # everything
 }
 FREESTANDING = {"float.h", "limits.h", "stdbool.h", "stddef.h", "stdint.h"}

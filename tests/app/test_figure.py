@@ -30,11 +30,15 @@ COLUMNS = {
     "albedo": "mu,alpha,albedo,table_error,fit_error",
     "multiscatter": "alpha,theta_deg,one,kulla_conty,turquin,walk,walk_error",
     "normal-mapped": "model,reference,previous,unbiased,least_integral",
+    "ssr-passes": "pass,red,green,blue",
 }
 # What keeps a figure of random draws short.
 SHORT = {"rejections": ["--samples", "16"], "variance": ["--samples", "16"],
          "multiscatter": ["--samples", "20"], "normal-mapped": ["--spp", "1"],
+         "ssr-passes": ["--spp", "1"],
          "visible-slopes-ggx": ["--samples", "100"], "visible-slopes-beckmann": ["--samples", "100"]}
+# Seconds a run; its pictures are painted as those of normal-mapped are.
+SLOW = {"ssr-passes"}
 
 
 def number(text):
@@ -80,6 +84,11 @@ class FigureTest(ProgramTest):
         self.assertEqual(kind, b"IEND")
         self.assertGreater(len(set(zlib.decompress(pixels))), 20)  # not one colour
 
+    def check_pdf(self, data):
+        self.assertTrue(data.startswith(b"%PDF-") and data.rstrip().endswith(b"%%EOF"))
+        start = int(data[data.rindex(b"startxref") + 9:].split()[0])
+        self.assertTrue(data[start:start + 4] == b"xref")
+
     def test_every_figure(self):
         names = [line.split()[0] for line in self.done("figure", "--list").decode().splitlines()]
         self.assertEqual(sorted(names), sorted(COLUMNS))
@@ -89,19 +98,18 @@ class FigureTest(ProgramTest):
                 short = SHORT.get(name, [])
                 table = self.path / "f.csv"
                 self.done("figure", name, "-o", svg, "--csv", table, *short)
-                self.done("figure", name, "-o", png, "--dpi", "36", "--theme", "dark", *short)
-                self.done("figure", name, "-o", pdf, *short)
+                if name not in SLOW:
+                    self.done("figure", name, "-o", png, "--dpi", "36", "--theme", "dark", *short)
+                    self.done("figure", name, "-o", pdf, *short)
                 root = xml.etree.ElementTree.parse(svg).getroot()
                 self.assertTrue(root.tag.endswith("svg"))
                 width = float(root.get("width").removesuffix("pt"))
                 self.assertIn(width, (240, 504))  # a column or a page
                 self.assertGreater(sum(1 for e in root.iter() if e.tag.endswith("use")), 10)  # text
-                self.check_png(png.read_bytes(), width / 2)
-                data = pdf.read_bytes()
-                self.assertTrue(data.startswith(b"%PDF-") and data.rstrip().endswith(b"%%EOF"))
-                start = int(data[data.rindex(b"startxref") + 9:].split()[0])
-                self.assertTrue(data[start:start + 4] == b"xref")
                 self.assertEqual(table.read_text().splitlines()[0], COLUMNS[name])
+                if name not in SLOW:
+                    self.check_png(png.read_bytes(), width / 2)
+                    self.check_pdf(pdf.read_bytes())
 
     def test_same_bits(self):
         """The same command gives the same file."""
@@ -304,6 +312,19 @@ class FigureTest(ProgramTest):
             self.assertLess(abs(row["unbiased"] / row["reference"] - 1), 0.06, row)
             self.assertGreater(row["previous"], 1.2 * row["reference"])
             self.assertLess(row["least_integral"], 0.1)
+
+    def test_ssr_passes(self):
+        """Resolving and accumulating keep the light, composing adds to it, and real rays see no other
+        light in the mean than a quarter more or less."""
+        rows = {row["pass"]: row for row in self.rows("ssr-passes", "--spp", "1")}
+        self.assertEqual(list(rows), ["before", "reproject", "resolve", "accumulate", "composite",
+                                      "fresnel", "real"])
+        for channel in ("red", "green", "blue"):
+            light = {name: row[channel] for name, row in rows.items()}
+            self.assertLess(abs(light["accumulate"] / light["resolve"] - 1), 0.15, channel)
+            self.assertLess(light["accumulate"], light["composite"])
+            self.assertLess(light["fresnel"], light["composite"])
+            self.assertLess(abs(light["fresnel"] / light["real"] - 1), 0.25, channel)
 
     # ---- errors ----------------------------------------------------------------------------------
 
