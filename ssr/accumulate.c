@@ -5,14 +5,14 @@
 #include "pipeline.h"
 
 /* The last frame's reflection between pixels; `p` in pixels, on the screen. */
-static ssr_light history_at(const lobe_ssr *s, const float p[2]) {
+static ssr_reflected history_at(const lobe_ssr *s, const float p[2]) {
     const ssr_between b = ssr_between_of(p[0], p[1]);
-    ssr_light sum = ssr_no_light();
+    ssr_reflected sum = ssr_no_reflected();
     for (int k = 0; k < 4; k++) {
         const size_t x = (size_t)ssr_inside(ssr_corner_x(b, k), s->width);
         const size_t y = (size_t)ssr_inside(ssr_corner_y(b, k), s->height);
-        sum = ssr_add_light(sum, ssr_light_at(s->history + 4 * (y * (size_t)s->width + x)),
-                            ssr_share(b, k));
+        sum = ssr_add_reflected(sum, ssr_reflected_at(s->history + 4 * (y * (size_t)s->width + x)),
+                                ssr_share(b, k));
     }
     return sum;
 }
@@ -23,7 +23,7 @@ static ssr_range range_around(const lobe_ssr *s, int x, int y) {
         for (int nx = x - 1; nx <= x + 1; nx++) {
             if (nx < 0 || ny < 0 || nx >= s->width || ny >= s->height) continue;
             const size_t neighbour = (size_t)ny * (size_t)s->width + (size_t)nx;
-            range = ssr_widen(range, ssr_light_at(s->resolved + 4 * neighbour));
+            range = ssr_widen(range, ssr_reflected_at(s->resolved + 4 * neighbour));
         }
     return range;
 }
@@ -59,12 +59,12 @@ static void accumulate_pixel(const lobe_ssr *s, const lobe_ssr_frame *f, const s
     float p[2];
     memcpy(out, s->resolved + 4 * pixel, 4 * sizeof *out);
     if (ray->state == LOBE_SSR_NO_RAY || !was_at(s, f, now, last, x, y, p)) return;
-    const ssr_light history = ssr_held(history_at(s, p), range_around(s, x, y));
+    const ssr_reflected history = ssr_held(history_at(s, p), range_around(s, x, y));
     const float reflected =
         ray->x < 0 ? 0.0f : speed_at(s, f, (size_t)ray->y * (size_t)s->width + (size_t)ray->x);
     const float share = ssr_new_share(o->accumulation, speed_at(s, f, pixel), reflected,
                                       o->speed_rejection * o->speed_scale);
-    ssr_put_light(out, ssr_blend(history, ssr_light_at(out), share));
+    ssr_put_reflected(out, ssr_blend(history, ssr_reflected_at(out), share));
 }
 
 void lobe_ssr_pass_accumulate(lobe_ssr *s, const lobe_ssr_frame *f) {

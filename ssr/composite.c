@@ -10,7 +10,7 @@ static void composite_pixel(lobe_ssr *s, const lobe_ssr_frame *f, const ssr_came
     if ((f->mask && !f->mask[pixel]) || !lobe_ssr_surface_at(c, f, x, y, &surface)) return;
     const v3 fallback =
         lobe_ssr_environment_at(&f->environment, ssr_mirrored(surface), f->roughness[pixel]);
-    const v3 light = ssr_radiance(ssr_light_at(s->reflection + 4 * pixel), fallback);
+    const v3 light = ssr_radiance(ssr_reflected_at(s->reflection + 4 * pixel), fallback);
     memcpy(radiance, &light, sizeof light);
     for (size_t k = 0; k < 3; k++)
         composite[k] =

@@ -35,11 +35,11 @@ static inline size_t ssr_pixels(const lobe_ssr *s) {
     return (size_t)s->width * (size_t)s->height;
 }
 
-static inline ssr_light ssr_light_at(const float *values) {
-    return (ssr_light){v3_of(values[0], values[1], values[2]), values[3]};
+static inline ssr_reflected ssr_reflected_at(const float *values) {
+    return (ssr_reflected){v3_of(values[0], values[1], values[2]), values[3]};
 }
 
-static inline void ssr_put_light(float *values, ssr_light l) {
+static inline void ssr_put_reflected(float *values, ssr_reflected l) {
     memcpy(values, &l, sizeof l);
 }
 

@@ -40,7 +40,7 @@ static void look_up(const lobe_ssr *s, const lobe_ssr_frame *f, size_t pixel, fl
                                          (float)s->width, (float)s->height, motion[0], motion[1]);
     if (!ssr_is_on_screen(p)) return;
     const v3 c = color_at(s, f, f->roughness[pixel], (float[2]){p.x, p.y});
-    ssr_put_light(found, ssr_found(p, c, s->options.edge_fade));
+    ssr_put_reflected(found, ssr_found(p, c, s->options.edge_fade));
 }
 
 void lobe_ssr_pass_reproject(lobe_ssr *s, const lobe_ssr_frame *f) {

@@ -16,7 +16,7 @@ static ssr_sum gather(const lobe_ssr *s, const ssr_resolved *p, int x, int y) {
             const int nx = x + dx, ny = y + dy;
             if (nx < 0 || ny < 0 || nx >= s->width || ny >= s->height) continue;
             const size_t neighbour = (size_t)ny * (size_t)s->width + (size_t)nx;
-            sum = ssr_add_ray(sum, ssr_light_at(s->found + 4 * neighbour),
+            sum = ssr_add_ray(sum, ssr_reflected_at(s->found + 4 * neighbour),
                               weight_of(s, p, &s->rays[neighbour], dx == 0 && dy == 0));
         }
     return sum;
@@ -31,14 +31,14 @@ static void resolve_pixel(const lobe_ssr *s, const lobe_ssr_frame *f, const ssr_
         return;
     ssr_sum sum;
     if (s->options.resolve == LOBE_SSR_APPROX) {
-        sum = ssr_add_ray(ssr_no_sum(), ssr_light_at(s->found + 4 * pixel), 1.0f);
+        sum = ssr_add_ray(ssr_no_sum(), ssr_reflected_at(s->found + 4 * pixel), 1.0f);
     } else {
         const ssr_resolved p = ssr_resolved_of(surface);
         sum = gather(s, &p, x, y);
     }
     const float fade =
         ssr_roughness_fade(f->roughness[pixel], s->options.fade_start, s->options.fade_end);
-    ssr_put_light(out, ssr_mean_of(sum, fade));
+    ssr_put_reflected(out, ssr_mean_of(sum, fade));
 }
 
 void lobe_ssr_pass_resolve(lobe_ssr *s, const lobe_ssr_frame *f) {

@@ -30,10 +30,18 @@ void lobe_ssr_motion_at(const lobe_ssr_frame *f, size_t pixel, float motion[2]) 
     motion[1] = ssr_usable_motion(m[1], m[0]);
 }
 
+static ssr_material material_at(const lobe_ssr_frame *f, size_t pixel) {
+    ssr_material m = ssr_material_of(ssr_v3(f->normal + 3 * pixel), f->roughness[pixel]);
+    if (!f->anisotropy || !f->tangent) return m;
+    m.anisotropy = f->anisotropy[pixel];
+    m.tangent = ssr_v3(f->tangent + 3 * pixel);
+    return m;
+}
+
 int lobe_ssr_surface_at(const ssr_camera *c, const lobe_ssr_frame *f, int x, int y,
                         ssr_surface *surface) {
     const size_t pixel = (size_t)y * (size_t)c->width + (size_t)x;
     *surface = ssr_surface_of(*c, (float)x + 0.5f, (float)y + 0.5f, lobe_ssr_z_at(f, pixel),
-                              ssr_v3(f->normal + 3 * pixel), f->roughness[pixel]);
+                              material_at(f, pixel));
     return surface->seen;
 }

@@ -12,7 +12,7 @@ static facet_draw draw_ray(const lobe_ssr *s, const ssr_surface *surface, int x,
     lobe_reflection_options options = lobe_reflection_default_options();
     options.model.method = o->mode == LOBE_SSR_NDF ? LOBE_METHOD_NDF : o->method;
     const lobe_reflection_f32 model = lobe_reflection_prepare_f32(
-        options, (lobe_vec3_f32){v.x, v.y, v.z}, surface->alpha, surface->alpha);
+        options, (lobe_vec3_f32){v.x, v.y, v.z}, surface->alpha_x, surface->alpha_y);
     const ssr_noise u =
         ssr_biased(ssr_noise_of(s->noise, (kword)x, (kword)y), o->bias, o->mode == LOBE_SSR_NDF);
     const lobe_reflection_draw_f32 d = lobe_reflection_sample_f32(&model, u.u1, u.u2, u.u3);

@@ -37,8 +37,8 @@ K_FN real ssr_expected_z(ssr_camera now, ssr_camera last, real px, real py, real
 
 /* Holds what the pixels around have in common. */
 K_STRUCT(ssr_range) {
-    ssr_light low;
-    ssr_light high;
+    ssr_reflected low;
+    ssr_reflected high;
 };
 
 K_FN ssr_range ssr_no_range(void) {
@@ -50,7 +50,7 @@ K_FN ssr_range ssr_no_range(void) {
     return r;
 }
 
-K_FN ssr_range ssr_widen(ssr_range r, ssr_light l) {
+K_FN ssr_range ssr_widen(ssr_range r, ssr_reflected l) {
     ssr_range w;
     w.low.color = v3_of(k_min(r.low.color.x, l.color.x), k_min(r.low.color.y, l.color.y),
                         k_min(r.low.color.z, l.color.z));
@@ -61,8 +61,8 @@ K_FN ssr_range ssr_widen(ssr_range r, ssr_light l) {
     return w;
 }
 
-K_FN ssr_light ssr_held(ssr_light l, ssr_range r) {
-    ssr_light h;
+K_FN ssr_reflected ssr_held(ssr_reflected l, ssr_range r) {
+    ssr_reflected h;
     h.color = v3_of(ssr_clamp(l.color.x, r.low.color.x, r.high.color.x),
                     ssr_clamp(l.color.y, r.low.color.y, r.high.color.y),
                     ssr_clamp(l.color.z, r.low.color.z, r.high.color.z));
@@ -70,16 +70,17 @@ K_FN ssr_light ssr_held(ssr_light l, ssr_range r) {
     return h;
 }
 
-K_FN ssr_light ssr_add_light(ssr_light sum, ssr_light l, real share) {
-    ssr_light s;
+K_FN ssr_reflected ssr_add_reflected(ssr_reflected sum, ssr_reflected l, real share) {
+    ssr_reflected s;
     s.color = v3_add(sum.color, v3_scale(l.color, share));
     s.opacity = sum.opacity + share * l.opacity;
     return s;
 }
 
 /* `share` of the new. */
-K_FN ssr_light ssr_blend(ssr_light old, ssr_light fresh, real share) {
-    return ssr_add_light(ssr_add_light(ssr_no_light(), fresh, share), old, R(1.0) - share);
+K_FN ssr_reflected ssr_blend(ssr_reflected old, ssr_reflected fresh, real share) {
+    return ssr_add_reflected(ssr_add_reflected(ssr_no_reflected(), fresh, share), old,
+                             R(1.0) - share);
 }
 
 #endif

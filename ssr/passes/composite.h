@@ -28,7 +28,7 @@ K_FN ssr_between ssr_environment_place(v3 d, kint width, kint height) {
 }
 
 /* Without Fresnel. */
-K_FN v3 ssr_radiance(ssr_light reflection, v3 fallback) {
+K_FN v3 ssr_radiance(ssr_reflected reflection, v3 fallback) {
     return v3_add(reflection.color, v3_scale(fallback, R(1.0) - reflection.opacity));
 }
 

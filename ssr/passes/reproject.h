@@ -6,7 +6,7 @@
 #include "fade.h"
 
 /* Light of the screen, times opacity where it says so; 0: nothing. Four numbers in a row. */
-K_STRUCT(ssr_light) {
+K_STRUCT(ssr_reflected) {
     v3 color;
     real opacity;
 };
@@ -17,8 +17,8 @@ K_STRUCT(ssr_place) {
     real y;
 };
 
-K_FN ssr_light ssr_no_light(void) {
-    ssr_light l;
+K_FN ssr_reflected ssr_no_reflected(void) {
+    ssr_reflected l;
     l.color = v3_of(R(0.0), R(0.0), R(0.0));
     l.opacity = R(0.0);
     return l;
@@ -57,9 +57,9 @@ K_FN bool ssr_is_light(v3 c) {
 }
 
 /* What a ray found: the colour at a place and the fade there. */
-K_FN ssr_light ssr_found(ssr_place p, v3 color, real edge_fade) {
+K_FN ssr_reflected ssr_found(ssr_place p, v3 color, real edge_fade) {
     bool usable = k_and(ssr_is_on_screen(p), ssr_is_light(color));
-    ssr_light l;
+    ssr_reflected l;
     l.color = v3_select(usable, color, v3_of(R(0.0), R(0.0), R(0.0)));
     real fade = ssr_edge_fade(p.x, edge_fade) * ssr_edge_fade(p.y, edge_fade);
     l.opacity = k_select(usable, fade, R(0.0));

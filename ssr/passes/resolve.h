@@ -28,7 +28,7 @@ K_STRUCT(ssr_sum) {
 K_FN ssr_resolved ssr_resolved_of(ssr_surface surface) {
     ssr_resolved p;
     p.surface = surface;
-    p.g = ggx_base_of(surface.to_viewer, surface.alpha, surface.alpha,
+    p.g = ggx_base_of(surface.to_viewer, surface.alpha_x, surface.alpha_y,
                       facet_options_of(false, false));
     p.world_to_viewer = ssr_to_world(surface, surface.to_viewer);
     return p;
@@ -45,7 +45,8 @@ K_FN real ssr_ratio_weight(ssr_resolved p, real pdf, v3 wo) {
 K_FN real ssr_ray_weight(ssr_resolved p, kint state, v3 direction, real pdf, bool is_own,
                          bool mirrors, kint way) {
     v3 wo = ssr_to_frame(p.surface, direction);
-    real visible = ssr_visible_weight(p.surface.to_viewer, wo, p.surface.alpha);
+    real visible =
+        ssr_visible_weight(p.surface.to_viewer, wo, p.surface.alpha_x, p.surface.alpha_y);
     real ratio = k_select(k_or(mirrors, k_is(p.g.mirror)), k_select(is_own, R(1.0), R(0.0)),
                           ssr_ratio_weight(p, pdf, wo));
     real weight = k_select(way == SSR_NEIGHBOURHOOD, visible, ratio);
@@ -54,7 +55,8 @@ K_FN real ssr_ray_weight(ssr_resolved p, kint state, v3 direction, real pdf, boo
 
 /* World-space vectors in the weight, and draws that were dropped as misses of weight 1. */
 K_FN real ssr_hdrp_weight(ssr_resolved p, kint state, v3 direction) {
-    real visible = ssr_visible_weight(p.world_to_viewer, direction, p.surface.alpha);
+    real alpha = R(0.5) * (p.surface.alpha_x + p.surface.alpha_y);
+    real visible = ssr_visible_weight(p.world_to_viewer, direction, alpha, alpha);
     real weight = k_select(state == SSR_REJECTED, R(1.0), visible);
     return k_select(state == SSR_NO_RAY, R(0.0), weight);
 }
@@ -67,7 +69,7 @@ K_FN ssr_sum ssr_no_sum(void) {
     return s;
 }
 
-K_FN ssr_sum ssr_add_ray(ssr_sum sum, ssr_light found, real weight) {
+K_FN ssr_sum ssr_add_ray(ssr_sum sum, ssr_reflected found, real weight) {
     ssr_sum s;
     s.color = v3_add(sum.color, v3_scale(found.color, weight * found.opacity));
     s.opacity = sum.opacity + weight * found.opacity;
@@ -76,10 +78,10 @@ K_FN ssr_sum ssr_add_ray(ssr_sum sum, ssr_light found, real weight) {
 }
 
 /* The mean, faded by roughness; colours are times opacity. */
-K_FN ssr_light ssr_mean_of(ssr_sum sum, real fade) {
+K_FN ssr_reflected ssr_mean_of(ssr_sum sum, real fade) {
     bool any = sum.weight > R(0.0);
     real bottom = k_select(any, sum.weight, R(1.0));
-    ssr_light l;
+    ssr_reflected l;
     l.color = v3_of(sum.color.x / bottom * fade, sum.color.y / bottom * fade,
                     sum.color.z / bottom * fade);
     l.opacity = sum.opacity / bottom * fade;
