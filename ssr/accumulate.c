@@ -43,8 +43,9 @@ static int was_at(const lobe_ssr *s, const lobe_ssr_frame *f, const ssr_camera *
     if (s->frame == 0 || !(z > 0.0f)) return 0;
     float m[2];
     lobe_ssr_motion_at(f, pixel, m);
-    p[0] = (float)x + 0.5f - m[0] * now->width;
-    p[1] = (float)y + 0.5f - m[1] * now->height;
+    const ssr_place before = ssr_pixel_before((float)x + 0.5f, (float)y + 0.5f, *now, m[0], m[1]);
+    p[0] = before.x;
+    p[1] = before.y;
     if (!ssr_on_screen(*last, p[0], p[1])) return 0;
     const size_t there = (size_t)p[1] * (size_t)s->width + (size_t)p[0];
     const float expected = ssr_expected_z(*now, *last, (float)x + 0.5f, (float)y + 0.5f, z);

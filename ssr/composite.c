@@ -12,9 +12,9 @@ static void composite_pixel(lobe_ssr *s, const lobe_ssr_frame *f, const ssr_came
         lobe_ssr_environment_at(&f->environment, ssr_mirrored(surface), f->roughness[pixel]);
     const v3 light = ssr_radiance(ssr_reflected_at(s->reflection + 4 * pixel), fallback);
     memcpy(radiance, &light, sizeof light);
-    for (size_t k = 0; k < 3; k++)
-        composite[k] =
-            radiance[k] * ssr_reflectance(f->f0 ? f->f0[3 * pixel + k] : 1.0f, surface.to_viewer.z);
+    const v3 f0 = f->f0 ? ssr_v3(f->f0 + 3 * pixel) : v3_of(1.0f, 1.0f, 1.0f);
+    const v3 reflected = ssr_with_fresnel(light, f0, surface.to_viewer.z);
+    memcpy(composite, &reflected, sizeof reflected);
 }
 
 void lobe_ssr_pass_composite(lobe_ssr *s, const lobe_ssr_frame *f) {

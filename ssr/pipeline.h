@@ -29,6 +29,9 @@ struct lobe_ssr {
     float *resolved, *reflection, *history; /* r, g, b times opacity; opacity */
     float *last_z;                          /* of the frame before; 0: none */
     float *radiance, *composite;
+    const struct ssr_driver *driver;
+    void *driver_state;
+    char device[512]; /* its name */
 };
 
 static inline size_t ssr_pixels(const lobe_ssr *s) {

@@ -30,6 +30,14 @@ K_FN real ssr_speed(real motion_x, real motion_y, real width, real height) {
     return k_sqrt(x * x + y * y);
 }
 
+/* Where a surface was on the screen, in pixels. */
+K_FN ssr_place ssr_pixel_before(real px, real py, ssr_camera now, real motion_x, real motion_y) {
+    ssr_place p;
+    p.x = px - motion_x * now.width;
+    p.y = py - motion_y * now.height;
+    return p;
+}
+
 /* Distance along the axis of the last camera at which the surface of a pixel is expected. */
 K_FN real ssr_expected_z(ssr_camera now, ssr_camera last, real px, real py, real z) {
     return ssr_project(last, v3_add(now.eye, ssr_view_vector(now, px, py, z))).z;

@@ -17,14 +17,22 @@ K_FN kword k_word(kint x) {
     return (kword)x;
 }
 
+/* a < b, and false if a is no number. */
+K_FN bool k_is_below(real a, real b) {
+    return a < b;
+}
+
 #include "accumulate.h"
 #include "between.h"
 #include "camera.h"
 #include "composite.h"
 #include "fade.h"
+#include "finite.h"
 #include "march.h"
 #include "noise.h"
+#include "parameters.h"
 #include "pyramid.h"
+#include "ray.h"
 #include "reproject.h"
 #include "resolve.h"
 #include "surface.h"

@@ -15,4 +15,10 @@ K_FN kword k_word(kint x) {
     return uint(x);
 }
 
+/* a < b, and false if a is no number: by its bits, for the compilers of shaders turn conditions around as if
+ * there were none such. */
+K_FN bool k_is_below(real a, real b) {
+    return k_and((K_FLOAT_BITS(a) & 0x7fffffff) <= 0x7f800000, a < b);
+}
+
 #endif

@@ -32,9 +32,14 @@ K_FN v3 ssr_radiance(ssr_reflected reflection, v3 fallback) {
     return v3_add(reflection.color, v3_scale(fallback, R(1.0) - reflection.opacity));
 }
 
-/* Schlick; what is not a reflectance is 0, and above 1 is 1. */
+/* Of one channel, by Schlick; what is not a reflectance is 0, and above 1 is 1. */
 K_FN real ssr_reflectance(real f0, real cosine) {
-    return fresnel_schlick(k_select(f0 >= R(0.0), k_min(f0, R(1.0)), R(0.0)), cosine);
+    return fresnel_schlick(k_saturate(k_select(ssr_is_finite(f0), f0, R(0.0))), cosine);
+}
+
+K_FN v3 ssr_with_fresnel(v3 light, v3 f0, real cosine) {
+    return v3_of(light.x * ssr_reflectance(f0.x, cosine), light.y * ssr_reflectance(f0.y, cosine),
+                 light.z * ssr_reflectance(f0.z, cosine));
 }
 
 #endif

@@ -29,7 +29,7 @@ K_FN ssr_cell ssr_cell_of_four(ssr_cell a, ssr_cell b, ssr_cell c, ssr_cell d) {
 
 /* Light that cannot be is dark here: a mean must not spread it. */
 K_FN v3 ssr_usable_light(v3 light) {
-    return v3_of(k_usable(light.x), k_usable(light.y), k_usable(light.z));
+    return v3_of(ssr_usable(light.x), ssr_usable(light.y), ssr_usable(light.z));
 }
 
 K_FN v3 ssr_mean_light(v3 a, v3 b, v3 c, v3 d) {

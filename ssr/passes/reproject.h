@@ -4,6 +4,7 @@
 
 #include "between.h"
 #include "fade.h"
+#include "finite.h"
 
 /* Light of the screen, times opacity where it says so; 0: nothing. Four numbers in a row. */
 K_STRUCT(ssr_reflected) {
@@ -52,8 +53,9 @@ K_FN real ssr_level_share(real level, kint step) {
 }
 
 K_FN bool ssr_is_light(v3 c) {
+    bool finite = k_and(k_and(ssr_is_finite(c.x), ssr_is_finite(c.y)), ssr_is_finite(c.z));
     bool above = k_and(k_and(c.x >= R(0.0), c.y >= R(0.0)), c.z >= R(0.0));
-    return k_and(v3_is_finite(c), above);
+    return k_and(finite, above);
 }
 
 /* What a ray found: the colour at a place and the fade there. */

@@ -38,7 +38,7 @@ K_FN ssr_resolved ssr_resolved_of(ssr_surface surface) {
 K_FN real ssr_ratio_weight(ssr_resolved p, real pdf, v3 wo) {
     real value = ggx_f_cos(p.g, ggx_pair_of_wo(p.g, wo));
     bool drawn = pdf > R(0.0);
-    return k_select(drawn, k_usable(value / k_select(drawn, pdf, R(1.0))), R(0.0));
+    return k_select(drawn, ssr_usable(value / k_select(drawn, pdf, R(1.0))), R(0.0));
 }
 
 /* `direction` in the world. A mirror's ray is its neighbours' no more. */
