@@ -14,6 +14,9 @@ typedef struct ssr_driver {
     void (*close)(lobe_ssr *s); /* NULL state is fine */
 } ssr_driver;
 
+/* Of a clock that never goes back. */
+double lobe_ssr_milliseconds(void);
+
 extern const ssr_driver lobe_ssr_cpu_driver, lobe_ssr_gl_driver;
 
 #endif

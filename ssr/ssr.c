@@ -183,7 +183,7 @@ const char *lobe_ssr_device(const lobe_ssr *s) {
     return s->device;
 }
 
-static double milliseconds(void) {
+double lobe_ssr_milliseconds(void) {
     struct timespec t;
     clock_gettime(CLOCK_MONOTONIC, &t);
     return 1e3 * (double)t.tv_sec + 1e-6 * (double)t.tv_nsec;
@@ -191,12 +191,12 @@ static double milliseconds(void) {
 
 static lobe_ssr_result run_cpu(lobe_ssr *s, const lobe_ssr_frame *frame, lobe_ssr_statistics *st) {
     for (int pass = 0; pass < LOBE_SSR_PASS_COUNT; pass++) {
-        const double start = milliseconds();
+        const double start = lobe_ssr_milliseconds();
         if (passes[pass].run)
             passes[pass].run(s, frame);
         else
             lobe_ssr_pass_trace(s, frame, st);
-        st->milliseconds[pass] = milliseconds() - start;
+        st->milliseconds[pass] = lobe_ssr_milliseconds() - start;
     }
     return LOBE_SSR_OK;
 }

@@ -1,4 +1,4 @@
-# cmake -DROOT=tree -DOUT=file.c -DTEXTS=NAME=FILE,... -P embed.cmake: texts of shaders as arrays of C, without
+# cmake -DROOT=tree -DOUT=file.c -DSYMBOL=name -DTEXTS=NAME=FILE,... -P embed.cmake: texts of shaders as arrays of C, without
 # comments, every include once and in place. The first text comes before all others: they leave out what it
 # includes.
 cmake_minimum_required(VERSION 3.25)
@@ -58,4 +58,4 @@ foreach(pair IN LISTS TEXTS)
     string(APPEND arrays "static const char text_${name}[] = {${bytes}0};\n")
     string(APPEND rows "    {\"${name}\", text_${name}},\n")
 endforeach()
-file(WRITE ${OUT} "#include \"ssr/gl/texts.h\"\n\n${arrays}\nconst ssr_text lobe_ssr_texts[] = {\n${rows}    {0, 0}};\n")
+file(WRITE ${OUT} "#include \"ssr/gl/texts.h\"\n\n${arrays}\nconst ssr_text ${SYMBOL}[] = {\n${rows}    {0, 0}};\n")

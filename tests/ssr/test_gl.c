@@ -46,7 +46,7 @@ static float *read_buffer(const both *b, gl_buffer buffer, size_t count) {
     return values;
 }
 
-/* |a - b| as a share of 1 + |b|. */
+/* |a - b| as a share of 1 + |b|: what the tolerances in ssr/shaders are of. */
 static double difference(float a, float b) {
     assert_true(isfinite(a) && isfinite(b));
     return fabs((double)a - (double)b) / (1.0 + fabs((double)b));
