@@ -19,8 +19,6 @@
 #include "progress.h"
 #include "ssr_write.h"
 
-typedef enum backend { BACKEND_AUTO, BACKEND_CPU, BACKEND_GL } backend;
-
 typedef struct ssr_values {
     const char *out, *camera, *environment;
     lobe_app_size size;
@@ -34,7 +32,7 @@ typedef struct ssr_values {
 static const char *const paths[] = {"orbit", "dolly", "shake", "still", NULL};
 static const char *const modes[] = {"mirror", "ndf", "vndf", NULL};
 static const char *const resolves[] = {"approx", "neighbourhood", "neighbourhood-ratio", NULL};
-static const char *const backends[] = {"auto", "cpu", "gl", NULL};
+static const char *const backends[] = {"cpu", "gl", "auto", NULL};
 
 #define AT(member) offsetof(ssr_values, member)
 
@@ -67,7 +65,8 @@ static const lobe_app_option frame_options[] = {
     {0}};
 
 static const lobe_app_option trace_options[] = {
-    {"--backend", "NAME", "auto", "what runs the passes; auto: the processor", lobe_app_read_choice,
+    {"--backend", "NAME", "auto",
+     "what runs the passes; auto: a GPU, the processor where there is none", lobe_app_read_choice,
      AT(backend), backends},
     {"--mode", "NAME", "vndf",
      "directions: mirrored, by all normals, or by visible normals with --method",
@@ -131,6 +130,7 @@ static ssr_values default_values(void) {
                         .speed_scale = (double)o.speed_scale,
                         .mode = (int)o.mode,
                         .method = (int)o.method,
+                        .backend = LOBE_SSR_AUTO,
                         .resolve = (int)o.resolve};
 }
 
@@ -153,6 +153,7 @@ static lobe_ssr_options pipeline_options(const ssr_values *v) {
     o.as_hdrp = v->as_hdrp;
     o.seed = v->seed;
     o.threads = (int)v->threads;
+    o.backend = (lobe_ssr_backend)v->backend;
     return o;
 }
 
@@ -318,9 +319,11 @@ static lobe_app_status finish(ssr_run *run) {
     warn_without_rays(run);
     const char *method =
         v->mode == LOBE_SSR_VNDF ? lobe_method_name((lobe_method)v->method) : modes[v->mode];
-    json_t *stats = json_pack("{si si ss ss ss ss sO}", "width", v->size.width, "height",
-                              v->size.height, "mode", modes[v->mode], "method", method, "resolve",
-                              resolves[v->resolve], "backend", "cpu", "frames", run->rows);
+    json_t *stats =
+        json_pack("{si si ss ss ss ss ss sO}", "width", v->size.width, "height", v->size.height,
+                  "mode", modes[v->mode], "method", method, "resolve", resolves[v->resolve],
+                  "backend", backends[lobe_ssr_backend_of(run->ssr)], "device",
+                  lobe_ssr_device(run->ssr), "frames", run->rows);
     lobe_app_status status = lobe_app_write_stats(v->out, stats);
     if (status == LOBE_APP_DONE && v->json) return lobe_app_print_json(stats);
     json_decref(stats);
@@ -433,8 +436,6 @@ static lobe_app_status check(ssr_values *v, const lobe_app_arguments *arguments)
                                "no scene");
     if (!v->out)
         return lobe_app_reject("-o", "give a folder, as -o reflections", "no folder to write");
-    if (v->backend == BACKEND_GL)
-        return lobe_app_reject("--backend", "use cpu or auto", "gl is not built in");
     if (v->smoothness_end > v->smoothness_start)
         return lobe_app_reject("--min-smoothness", "use at most --smoothness-fade-start",
                                "the fade ends before it starts");

@@ -1,5 +1,6 @@
 /* kernel/exp.h: the exponential, branch-free, of a number and of minus a square. x = n ln 2 + r with
- * |r| <= ln(2)/2; n by the addition of a number so large that its last digit is one. Polynomial:
+ * |r| <= ln(2)/2; n by the word of the language that rounds: in a shader a sum and its difference again would be
+ * nothing. Polynomial:
  * tools/numerics/coefficients.py. */
 #ifndef K_EXP_H
 #define K_EXP_H
@@ -33,25 +34,22 @@ K_FN k_exp_parts k_exp_split(real high, real low) {
 #if K_IS_F64
     real least = R(-746.0);
     real most = R(710.0);
-    real shifter = R(6755399441055744.0); /* 3 2^51 */
     real ln2_high = R(6.93147180369123816490e-01);
     real ln2_low = R(1.90821492927058770002e-10);
 #else
     real least = R(-104.0);
     real most = R(89.0);
-    real shifter = R(12582912.0); /* 3 2^22 */
     real ln2_high = R(6.9314575195e-01);
     real ln2_low = R(1.4286067653e-06);
 #endif
     real x = k_min(k_max(high, least), most);
-    real shifted = (x + low) * R(1.44269504088896340736) + shifter;
-    real n = shifted - shifter;
+    real n = k_round((x + low) * R(1.44269504088896340736));
     real coarse = x - n * ln2_high;
     real fine = low - n * ln2_low;
     real r = coarse + fine;
     k_exp_parts e;
     e.tail = r + (r * r * k_exp_tail(r) + ((coarse - r) + fine));
-    e.n = k_bits(shifted) - k_bits(shifter);
+    e.n = k_to_int(n);
     return e;
 }
 

@@ -1,49 +1,38 @@
 /* Accumulate: the reflection of the frame before, found again where the surface was, held to the range of
  * the present neighbourhood, and blended. */
-#include <math.h>
 #include <string.h>
 
 #include "pipeline.h"
 
 /* The last frame's reflection between pixels; `p` in pixels, on the screen. */
-static void history_at(const lobe_ssr *s, const float p[2], float out[4]) {
-    const float px = p[0] - 0.5f, py = p[1] - 0.5f;
-    const int x0 = (int)floorf(px), y0 = (int)floorf(py);
-    const float tx = px - floorf(px), ty = py - floorf(py);
-    for (int c = 0; c < 4; c++) out[c] = 0.0f;
+static ssr_reflected history_at(const lobe_ssr *s, const float p[2]) {
+    const ssr_between b = ssr_between_of(p[0], p[1]);
+    ssr_reflected sum = ssr_no_reflected();
     for (int k = 0; k < 4; k++) {
-        const float share = (k & 1 ? tx : 1.0f - tx) * (k & 2 ? ty : 1.0f - ty);
-        int x = x0 + (k & 1), y = y0 + (k >> 1);
-        x = x < 0 ? 0 : x >= s->width ? s->width - 1 : x;
-        y = y < 0 ? 0 : y >= s->height ? s->height - 1 : y;
-        const float *from = s->history + 4 * ((size_t)y * (size_t)s->width + (size_t)x);
-        for (int c = 0; c < 4; c++) out[c] += share * from[c];
+        const size_t x = (size_t)ssr_inside(ssr_corner_x(b, k), s->width);
+        const size_t y = (size_t)ssr_inside(ssr_corner_y(b, k), s->height);
+        sum = ssr_add_reflected(sum, ssr_reflected_at(s->history + 4 * (y * (size_t)s->width + x)),
+                                ssr_share(b, k));
     }
+    return sum;
 }
 
-static void clamp_to_neighbourhood(const lobe_ssr *s, int x, int y, float history[4]) {
-    float low[4], high[4];
-    for (int c = 0; c < 4; c++) {
-        low[c] = INFINITY;
-        high[c] = -INFINITY;
-    }
+static ssr_range range_around(const lobe_ssr *s, int x, int y) {
+    ssr_range range = ssr_no_range();
     for (int ny = y - 1; ny <= y + 1; ny++)
         for (int nx = x - 1; nx <= x + 1; nx++) {
             if (nx < 0 || ny < 0 || nx >= s->width || ny >= s->height) continue;
-            const float *at = s->resolved + 4 * ((size_t)ny * (size_t)s->width + (size_t)nx);
-            for (int c = 0; c < 4; c++) {
-                low[c] = k_min(low[c], at[c]);
-                high[c] = k_max(high[c], at[c]);
-            }
+            const size_t neighbour = (size_t)ny * (size_t)s->width + (size_t)nx;
+            range = ssr_widen(range, ssr_reflected_at(s->resolved + 4 * neighbour));
         }
-    for (int c = 0; c < 4; c++) history[c] = ssr_clamp(history[c], low[c], high[c]);
+    return range;
 }
 
 /* Pixels that something moved since the last frame. */
 static float speed_at(const lobe_ssr *s, const lobe_ssr_frame *f, size_t pixel) {
     float m[2];
     lobe_ssr_motion_at(f, pixel, m);
-    return hypotf(m[0] * (float)s->width, m[1] * (float)s->height);
+    return ssr_speed(m[0], m[1], (float)s->width, (float)s->height);
 }
 
 /* Where the surface was in the last frame, in pixels; 0: not seen there. */
@@ -54,12 +43,12 @@ static int was_at(const lobe_ssr *s, const lobe_ssr_frame *f, const ssr_camera *
     if (s->frame == 0 || !(z > 0.0f)) return 0;
     float m[2];
     lobe_ssr_motion_at(f, pixel, m);
-    p[0] = (float)x + 0.5f - m[0] * now->width;
-    p[1] = (float)y + 0.5f - m[1] * now->height;
+    const ssr_place before = ssr_pixel_before((float)x + 0.5f, (float)y + 0.5f, *now, m[0], m[1]);
+    p[0] = before.x;
+    p[1] = before.y;
     if (!ssr_on_screen(*last, p[0], p[1])) return 0;
-    const v3 place = v3_add(now->eye, ssr_view_vector(*now, (float)x + 0.5f, (float)y + 0.5f, z));
     const size_t there = (size_t)p[1] * (size_t)s->width + (size_t)p[0];
-    const float expected = ssr_project(*last, place).z;
+    const float expected = ssr_expected_z(*now, *last, (float)x + 0.5f, (float)y + 0.5f, z);
     return expected > 0.0f && ssr_is_same_surface(expected, s->last_z[there]);
 }
 
@@ -68,16 +57,15 @@ static void accumulate_pixel(const lobe_ssr *s, const lobe_ssr_frame *f, const s
     const size_t pixel = (size_t)y * (size_t)s->width + (size_t)x;
     const lobe_ssr_options *o = &s->options;
     const lobe_ssr_ray *ray = &s->rays[pixel];
-    float p[2], history[4];
+    float p[2];
     memcpy(out, s->resolved + 4 * pixel, 4 * sizeof *out);
     if (ray->state == LOBE_SSR_NO_RAY || !was_at(s, f, now, last, x, y, p)) return;
-    history_at(s, p, history);
-    clamp_to_neighbourhood(s, x, y, history);
+    const ssr_reflected history = ssr_held(history_at(s, p), range_around(s, x, y));
     const float reflected =
         ray->x < 0 ? 0.0f : speed_at(s, f, (size_t)ray->y * (size_t)s->width + (size_t)ray->x);
     const float share = ssr_new_share(o->accumulation, speed_at(s, f, pixel), reflected,
                                       o->speed_rejection * o->speed_scale);
-    for (int c = 0; c < 4; c++) out[c] = share * out[c] + (1.0f - share) * history[c];
+    ssr_put_reflected(out, ssr_blend(history, ssr_reflected_at(out), share));
 }
 
 void lobe_ssr_pass_accumulate(lobe_ssr *s, const lobe_ssr_frame *f) {

@@ -3,20 +3,17 @@
 #ifndef LOBE_SSR_PIPELINE_H
 #define LOBE_SSR_PIPELINE_H
 
+#include <string.h>
+
 #include "lobe/ssr.h"
 #include "passes/bind_c.h"
 
 enum { SSR_LEVELS_MAX = 17 }; /* 32768 pixels down to one */
 
-/* Nearest and farthest depth of the cells of a level. */
-typedef struct depth_cell {
-    float nearest, farthest;
-} depth_cell;
-
 typedef struct pyramid {
     int levels;
     int width[SSR_LEVELS_MAX], height[SSR_LEVELS_MAX];
-    depth_cell *depth[SSR_LEVELS_MAX];
+    ssr_cell *depth[SSR_LEVELS_MAX];
     float *color
         [SSR_LEVELS_MAX]; /* r, g, b; level 0 is the frame's, the others are made for APPROX only */
 } pyramid;
@@ -25,16 +22,28 @@ struct lobe_ssr {
     int width, height, threads;
     lobe_ssr_options options;
     uint64_t frame; /* number of the present one */
+    ssr_noise_keys noise;
     pyramid pyramid;
     lobe_ssr_ray *rays;
     float *found; /* per ray: r, g, b at what was met, and the fade there; 0: nothing */
     float *resolved, *reflection, *history; /* r, g, b times opacity; opacity */
     float *last_z;                          /* of the frame before; 0: none */
     float *radiance, *composite;
+    const struct ssr_driver *driver;
+    void *driver_state;
+    char device[512]; /* its name */
 };
 
 static inline size_t ssr_pixels(const lobe_ssr *s) {
     return (size_t)s->width * (size_t)s->height;
+}
+
+static inline ssr_reflected ssr_reflected_at(const float *values) {
+    return (ssr_reflected){v3_of(values[0], values[1], values[2]), values[3]};
+}
+
+static inline void ssr_put_reflected(float *values, ssr_reflected l) {
+    memcpy(values, &l, sizeof l);
 }
 
 static inline v3 ssr_v3(const float *values) {
@@ -44,28 +53,18 @@ static inline v3 ssr_v3(const float *values) {
 ssr_camera lobe_ssr_camera_of(const lobe_ssr_camera *c, float width, float height);
 ssr_camera lobe_ssr_kernel_camera(const lobe_ssr *s, const lobe_ssr_camera *c);
 
-v3 lobe_ssr_cross(v3 a, v3 b);
-v3 lobe_ssr_across(v3 z); /* some unit vector across the unit vector z */
-
 /* 0: no surface there. */
 float lobe_ssr_z_at(const lobe_ssr_frame *f, size_t pixel);
 
 /* Motion of a pixel, 0 where it is not finite. */
 void lobe_ssr_motion_at(const lobe_ssr_frame *f, size_t pixel, float motion[2]);
 
-/* A surface seen from the front, in its own frame. */
-typedef struct ssr_surface {
-    v3 x, y, z;   /* the shading frame, world */
-    v3 to_viewer; /* in the frame, unit */
-    float alpha, distance;
-} ssr_surface;
-
 /* 0: none there, not seen from the front. */
 int lobe_ssr_surface_at(const ssr_camera *c, const lobe_ssr_frame *f, int x, int y,
                         ssr_surface *surface);
 
-/* Three numbers in [0, 1): well spread over neighbouring pixels and over frames. */
-void lobe_ssr_noise(const lobe_ssr *s, int x, int y, float u[3]);
+/* What the random numbers of this frame are made of. */
+ssr_noise_keys lobe_ssr_noise_keys(uint64_t seed, uint64_t frame);
 
 /* Light at a direction, 0 without an environment. */
 v3 lobe_ssr_environment_at(const lobe_ssr_environment *e, v3 direction, float roughness);

@@ -17,7 +17,7 @@ static v3 filtered(const lobe_rays *rays, v3 axis, float alpha, uint64_t texel) 
     if (alpha == 0.0f) return ssr_in(lobe_rays_environment(rays, ssr_out(axis)));
     const lobe_reflection_f32 model = lobe_reflection_prepare_f32(
         lobe_reflection_default_options(), (lobe_vec3_f32){0.0f, 0.0f, 1.0f}, alpha, alpha);
-    const v3 x = lobe_ssr_across(axis), y = lobe_ssr_cross(axis, x);
+    const v3 x = ssr_across(axis), y = v3_cross(axis, x);
     v3 sum = v3_of(0.0f, 0.0f, 0.0f);
     float weights = 0.0f;
     for (int i = 0; i < DRAWS; i++) {

@@ -1,13 +1,14 @@
-/* The handle: options, memory, and the passes in order. */
+/* The handle: options, memory, driver; and the passes of the processor in order. */
 #include "lobe/ssr.h"
 
 #include <math.h>
 #include <omp.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <time.h>
 
+#include "driver.h"
 #include "message.h"
-#include "pipeline.h"
 
 lobe_ssr_options lobe_ssr_default_options(void) {
     return (lobe_ssr_options){.mode = LOBE_SSR_VNDF,
@@ -47,11 +48,11 @@ static int is_share(float x) {
 static lobe_ssr_result check_options(const lobe_ssr_options *o) {
     const lobe_model model = {LOBE_NDF_GGX, LOBE_MASKING_SMITH, o->method};
     if ((unsigned)o->mode > LOBE_SSR_VNDF || (unsigned)o->resolve > LOBE_SSR_NEIGHBOURHOOD_RATIO ||
-        o->max_iterations < 1 || o->max_iterations > 1000000 || !is_share(o->thickness) ||
-        !is_share(o->edge_fade) || !is_share(o->fade_start) || !is_share(o->fade_end) ||
-        !is_share(o->accumulation) || !is_share(o->bias) || o->bias == 1.0f ||
-        !is_share(o->speed_rejection) || !is_share(o->speed_scale) || o->threads < 0 ||
-        o->threads > 1024)
+        (unsigned)o->backend > LOBE_SSR_AUTO || o->max_iterations < 1 ||
+        o->max_iterations > 1000000 || !is_share(o->thickness) || !is_share(o->edge_fade) ||
+        !is_share(o->fade_start) || !is_share(o->fade_end) || !is_share(o->accumulation) ||
+        !is_share(o->bias) || o->bias == 1.0f || !is_share(o->speed_rejection) ||
+        !is_share(o->speed_scale) || o->threads < 0 || o->threads > 1024)
         return lobe_ssr_fail(LOBE_SSR_BAD_INPUT,
                              "options: a value is out of range; see lobe/ssr.h");
     if (o->fade_start > o->fade_end)
@@ -87,18 +88,43 @@ static int make_pyramid(lobe_ssr *s) {
     }
 }
 
-static int make_buffers(lobe_ssr *s) {
+/* What only the processor's passes keep. */
+static int make_state(lobe_ssr *s) {
     const size_t count = ssr_pixels(s);
-    s->rays = calloc(count, sizeof *s->rays);
     s->found = calloc(4 * count, sizeof *s->found);
-    s->resolved = calloc(4 * count, sizeof *s->resolved);
-    s->reflection = calloc(4 * count, sizeof *s->reflection);
     s->history = calloc(4 * count, sizeof *s->history);
     s->last_z = calloc(count, sizeof *s->last_z);
+    return make_pyramid(s) && s->found && s->history && s->last_z;
+}
+
+static int make_results(lobe_ssr *s) {
+    const size_t count = ssr_pixels(s);
+    s->rays = calloc(count, sizeof *s->rays);
+    s->resolved = calloc(4 * count, sizeof *s->resolved);
+    s->reflection = calloc(4 * count, sizeof *s->reflection);
     s->radiance = calloc(3 * count, sizeof *s->radiance);
     s->composite = calloc(3 * count, sizeof *s->composite);
-    return s->rays && s->found && s->resolved && s->reflection && s->history && s->last_z &&
-           s->radiance && s->composite;
+    return s->rays && s->resolved && s->reflection && s->radiance && s->composite;
+}
+
+/* The driver that is asked for; for LOBE_SSR_AUTO the processor after all, and why. */
+static lobe_ssr_result open_driver(lobe_ssr *s) {
+    const char *why = NULL;
+    if (s->options.backend != LOBE_SSR_CPU) {
+        s->driver = &lobe_ssr_gl_driver;
+        const lobe_ssr_result result = s->driver->open(s);
+        if (result == LOBE_SSR_OK) {
+            snprintf(s->device, sizeof s->device, "%s", s->driver->device(s));
+            return LOBE_SSR_OK;
+        }
+        s->driver = NULL;
+        if (s->options.backend == LOBE_SSR_GL) return result;
+        why = lobe_ssr_error_message();
+    }
+    s->driver = &lobe_ssr_cpu_driver;
+    const int length = why ? (int)strcspn(why, ";") : 0; /* without the hint */
+    snprintf(s->device, sizeof s->device, why ? "processor (%.*s)" : "processor", length, why);
+    return s->driver->open(s);
 }
 
 lobe_ssr_result lobe_ssr_create(int width, int height, lobe_ssr_options options, lobe_ssr **ssr) {
@@ -106,7 +132,7 @@ lobe_ssr_result lobe_ssr_create(int width, int height, lobe_ssr_options options,
     if (width < 1 || height < 1 || width > LOBE_SSR_SIZE_MAX || height > LOBE_SSR_SIZE_MAX)
         return lobe_ssr_fail(LOBE_SSR_BAD_INPUT, "size: %d x %d is out of range; use 1 to %d",
                              width, height, LOBE_SSR_SIZE_MAX);
-    const lobe_ssr_result result = check_options(&options);
+    lobe_ssr_result result = check_options(&options);
     if (result != LOBE_SSR_OK) return result;
     lobe_ssr *s = calloc(1, sizeof *s);
     if (!s) return lobe_ssr_fail_memory("reflections");
@@ -114,9 +140,11 @@ lobe_ssr_result lobe_ssr_create(int width, int height, lobe_ssr_options options,
     s->height = height;
     s->options = options;
     s->threads = options.threads ? options.threads : omp_get_max_threads();
-    if (!make_pyramid(s) || !make_buffers(s)) {
+    result = open_driver(s);
+    if (result == LOBE_SSR_OK && !make_results(s)) result = lobe_ssr_fail_memory("reflections");
+    if (result != LOBE_SSR_OK) {
         lobe_ssr_free(s);
-        return lobe_ssr_fail_memory("reflections");
+        return result;
     }
     *ssr = s;
     return LOBE_SSR_OK;
@@ -124,26 +152,56 @@ lobe_ssr_result lobe_ssr_create(int width, int height, lobe_ssr_options options,
 
 void lobe_ssr_free(lobe_ssr *s) {
     if (!s) return;
-    for (int level = 0; level < s->pyramid.levels; level++) {
-        free(s->pyramid.depth[level]);
-        free(s->pyramid.color[level]);
-    }
+    if (s->driver && s->driver->close) s->driver->close(s);
     free(s->rays);
-    free(s->found);
     free(s->resolved);
     free(s->reflection);
-    free(s->history);
-    free(s->last_z);
     free(s->radiance);
     free(s->composite);
     free(s);
 }
 
-static double milliseconds(void) {
+static lobe_ssr_result open_cpu(lobe_ssr *s) {
+    return make_state(s) ? LOBE_SSR_OK : lobe_ssr_fail_memory("reflections");
+}
+
+static void close_cpu(lobe_ssr *s) {
+    for (int level = 0; level < s->pyramid.levels; level++) {
+        free(s->pyramid.depth[level]);
+        free(s->pyramid.color[level]);
+    }
+    free(s->found);
+    free(s->history);
+    free(s->last_z);
+}
+
+lobe_ssr_backend lobe_ssr_backend_of(const lobe_ssr *s) {
+    return s->driver->backend;
+}
+
+const char *lobe_ssr_device(const lobe_ssr *s) {
+    return s->device;
+}
+
+double lobe_ssr_milliseconds(void) {
     struct timespec t;
     clock_gettime(CLOCK_MONOTONIC, &t);
     return 1e3 * (double)t.tv_sec + 1e-6 * (double)t.tv_nsec;
 }
+
+static lobe_ssr_result run_cpu(lobe_ssr *s, const lobe_ssr_frame *frame, lobe_ssr_statistics *st) {
+    for (int pass = 0; pass < LOBE_SSR_PASS_COUNT; pass++) {
+        const double start = lobe_ssr_milliseconds();
+        if (passes[pass].run)
+            passes[pass].run(s, frame);
+        else
+            lobe_ssr_pass_trace(s, frame, st);
+        st->milliseconds[pass] = lobe_ssr_milliseconds() - start;
+    }
+    return LOBE_SSR_OK;
+}
+
+const ssr_driver lobe_ssr_cpu_driver = {LOBE_SSR_CPU, open_cpu, run_cpu, NULL, close_cpu};
 
 static int is_direction(lobe_vec3_f32 d) {
     const float length2 = d.x * d.x + d.y * d.y + d.z * d.z;
@@ -179,21 +237,14 @@ static lobe_ssr_result check_frame(const lobe_ssr_frame *f) {
 
 lobe_ssr_result lobe_ssr_run(lobe_ssr *s, const lobe_ssr_frame *frame,
                              lobe_ssr_statistics *statistics) {
-    const lobe_ssr_result result = check_frame(frame);
+    lobe_ssr_result result = check_frame(frame);
     if (result != LOBE_SSR_OK) return result;
     lobe_ssr_statistics own;
     lobe_ssr_statistics *st = statistics ? statistics : &own;
     *st = (lobe_ssr_statistics){0};
-    for (int pass = 0; pass < LOBE_SSR_PASS_COUNT; pass++) {
-        const double start = milliseconds();
-        if (passes[pass].run)
-            passes[pass].run(s, frame);
-        else
-            lobe_ssr_pass_trace(s, frame, st);
-        st->milliseconds[pass] = milliseconds() - start;
-    }
-    s->frame++;
-    return LOBE_SSR_OK;
+    result = s->driver->run(s, frame, st);
+    if (result == LOBE_SSR_OK) s->frame++;
+    return result;
 }
 
 const lobe_ssr_ray *lobe_ssr_rays(const lobe_ssr *s) {

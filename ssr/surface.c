@@ -1,6 +1,4 @@
 /* What a frame holds at a pixel. */
-#include <math.h>
-
 #include "pipeline.h"
 
 ssr_camera lobe_ssr_camera_of(const lobe_ssr_camera *c, float width, float height) {
@@ -21,45 +19,29 @@ ssr_camera lobe_ssr_kernel_camera(const lobe_ssr *s, const lobe_ssr_camera *c) {
 }
 
 float lobe_ssr_z_at(const lobe_ssr_frame *f, size_t pixel) {
-    const float z = f->z[pixel];
-    return z > 0.0f && z < f->camera.far_z ? k_max(z, f->camera.near_z) : 0.0f;
+    return ssr_usable_z(f->z[pixel], f->camera.near_z, f->camera.far_z);
 }
 
 void lobe_ssr_motion_at(const lobe_ssr_frame *f, size_t pixel, float motion[2]) {
-    motion[0] = f->motion ? f->motion[2 * pixel] : 0.0f;
-    motion[1] = f->motion ? f->motion[2 * pixel + 1] : 0.0f;
-    if (isfinite(motion[0]) && isfinite(motion[1])) return;
     motion[0] = motion[1] = 0.0f;
+    if (!f->motion) return;
+    const float *m = f->motion + 2 * pixel;
+    motion[0] = ssr_usable_motion(m[0], m[1]);
+    motion[1] = ssr_usable_motion(m[1], m[0]);
 }
 
-/* Continuous but for one point (Duff et al. 2017). */
-v3 lobe_ssr_across(v3 z) {
-    const float sign = copysignf(1.0f, z.z), a = -1.0f / (sign + z.z);
-    return v3_of(1.0f + sign * z.x * z.x * a, sign * z.x * z.y * a, -sign * z.x);
-}
-
-v3 lobe_ssr_cross(v3 a, v3 b) {
-    return v3_of(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
+static ssr_material material_at(const lobe_ssr_frame *f, size_t pixel) {
+    ssr_material m = ssr_material_of(ssr_v3(f->normal + 3 * pixel), f->roughness[pixel]);
+    if (!f->anisotropy || !f->tangent) return m;
+    m.anisotropy = f->anisotropy[pixel];
+    m.tangent = ssr_v3(f->tangent + 3 * pixel);
+    return m;
 }
 
 int lobe_ssr_surface_at(const ssr_camera *c, const lobe_ssr_frame *f, int x, int y,
                         ssr_surface *surface) {
     const size_t pixel = (size_t)y * (size_t)c->width + (size_t)x;
-    const float z = lobe_ssr_z_at(f, pixel);
-    const v3 normal = ssr_v3(f->normal + 3 * pixel);
-    const float length2 = v3_dot(normal, normal), roughness = f->roughness[pixel];
-    /* also false for what is not a number */
-    if (!(z > 0.0f) || !(length2 > 1e-12f) || !(length2 < 1e12f) || !isfinite(roughness)) return 0;
-    surface->z = v3_normalize(normal);
-    surface->x = lobe_ssr_across(surface->z);
-    surface->y = lobe_ssr_cross(surface->z, surface->x);
-    const v3 view = ssr_view_vector(*c, (float)x + 0.5f, (float)y + 0.5f, z);
-    surface->distance = k_sqrt(v3_dot(view, view));
-    if (!(surface->distance > 0.0f) || !isfinite(surface->distance)) return 0;
-    const v3 to_viewer = v3_scale(view, -1.0f / surface->distance);
-    surface->to_viewer = v3_of(v3_dot(to_viewer, surface->x), v3_dot(to_viewer, surface->y),
-                               v3_dot(to_viewer, surface->z));
-    const float r = k_saturate(roughness);
-    surface->alpha = r * r;
-    return surface->to_viewer.z > 0.0f;
+    *surface = ssr_surface_of(*c, (float)x + 0.5f, (float)y + 0.5f, lobe_ssr_z_at(f, pixel),
+                              material_at(f, pixel));
+    return surface->seen;
 }

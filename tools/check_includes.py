@@ -19,6 +19,7 @@ MAY_INCLUDE = {
     "render": {"include"},
     "ssr": {"include"},
     "ssr/passes": {"kernel"},
+    "ssr/shaders": {"kernel", "ssr/passes"},
     "app": {"include"},
     "bindings": {"include"},
     "examples": {"include"},
@@ -32,6 +33,7 @@ SYSTEM_HEADERS = {  # of the rooms that are choosy
     "include": FREESTANDING | {"signal.h"},  # sig_atomic_t
     "kernel": FREESTANDING | {"string.h"},  # memcpy, in the bindings
     "ssr/passes": set(),
+    "ssr/shaders": set(),
     "lib": FREESTANDING | {"assert.h", "stdatomic.h", "stdlib.h", "string.h", "immintrin.h", "arm_neon.h"},
 }
 SUFFIXES = {".c", ".cpp", ".h", ".inc", ".glsl", ".hlsl", ".comp", ".cu"}

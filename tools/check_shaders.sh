@@ -14,6 +14,7 @@ glsl() { # VERSION KERNEL-FILE
 #version $1
 #extension GL_GOOGLE_include_directive : require
 #include "bind/glsl.h"
+#include "ssr/passes/bind_shader.h"
 #include "$2"
 layout(local_size_x = 1) in;
 void main() {}
@@ -23,6 +24,7 @@ END
 hlsl() { # KERNEL-FILE
     cat <<END
 #include "bind/hlsl.h"
+#include "ssr/passes/bind_shader.h"
 #include "$1"
 [numthreads(1, 1, 1)] void main() {}
 END
@@ -37,8 +39,8 @@ compile() {
         spirv-val --target-env vulkan1.1 "$scratch/spirv"
 }
 
-shopt -s nullglob
-texts=("$kernel"/*.h "$root"/ssr/passes/[!b]*.h) # bind_c.h is the binding to C
+shopt -s nullglob extglob
+texts=("$kernel"/*.h "$root"/ssr/passes/!(bind_*).h)
 
 # Both short-circuit: a branch, which no loop over rows can have.
 if grep -nE '&&|\|\|' "${texts[@]}"; then

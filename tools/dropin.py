@@ -1,5 +1,7 @@
 #!/usr/bin/env python3
 """dropin.py LANGUAGE KERNEL... [--title TEXT]: one file with everything that the kernels need.
+dropin.py pass FILE... [--define NAME=TEXT]...: shader texts of the tree, one after the other and after what they
+include, with the kernel's own words: a compute shader of GLSL 4.50.
 
 LANGUAGE is c, glsl or hlsl. What comes out is single precision in plain text of the language: no
 macros of the kernel language are left but its constants, and every name begins with `lobe_` (macros:
@@ -86,6 +88,29 @@ def plain(text, language):
     return re.sub(r"\bK_STRUCT\((\w+)\)", form, text)
 
 
+def flattened(paths, defines):
+    """Files of the tree after what they include, each once, without guards; GLSL 4.50, or HLSL by its binding."""
+    seen = set()
+
+    def whole(path):
+        if path in seen:
+            return ""
+        seen.add(path)
+
+        def included(match):
+            beside = path.parent / match[1]
+            return whole((beside if beside.is_file() else ROOT / match[1]).resolve())
+
+        text = re.sub(r"^#ifndef (\w+_H)\n#define \1\n", "", path.read_text(), flags=re.M)
+        return INCLUDE.sub(included, re.sub(r"\n#endif\n\Z", "\n", text))
+
+    words = "".join(f"#define {name} {text}\n" for name, text in defines)
+    text = words + "\n".join(whole((ROOT / path).resolve()) for path in paths)
+    text = re.sub(r"^#ifdef GL_ES\n.*?\n#endif\n", "", text, flags=re.M | re.S)
+    version = "" if "hlsl" in paths[0] else "#version 450\n"
+    return version + re.sub(r"\n{3,}", "\n\n", settle(text))
+
+
 def defined(text):
     """Names that the text defines: functions, structures, macros."""
     functions = re.findall(r"^(?:static inline )?\w+ (\w+)\(", text, re.M)
@@ -164,10 +189,16 @@ def single_file(language, kernels, title):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("language", choices=sorted(BINDING))
-    parser.add_argument("kernels", nargs="+", metavar="KERNEL", help="as ggx_bounded")
+    parser.add_argument("language", choices=[*sorted(BINDING), "pass"])
+    parser.add_argument("kernels", nargs="+", metavar="KERNEL", help="as ggx_bounded; of pass: files of the tree")
+    parser.add_argument("--define", action="append", default=[], metavar="NAME=TEXT",
+                        help="words before the files of pass")
     parser.add_argument("--title", default="", help="first line of the file's comment")
     arguments = parser.parse_args()
+    if arguments.language == "pass":
+        defines = [definition.split("=", 1) for definition in arguments.define]
+        sys.stdout.write(flattened(arguments.kernels, defines))
+        return
     title = arguments.title or " ".join(arguments.kernels)
     sys.stdout.write(single_file(arguments.language, arguments.kernels, title))
 

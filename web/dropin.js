@@ -37,5 +37,6 @@ export function assemble(pieces, language, kernel) {
     for (const name of inOrder(pieces.kernels, kernel)) text += `\n${pieces.kernels[name].text}`;
     text = prefixed(plain(text, language)).replace(/\n{3,}/g, "\n\n").trim() + "\n";
     const head = pieces.head.replaceAll("@KERNEL@", kernel).replaceAll("@FAMILY@", family(kernel));
-    return language === "c" ? `${head}${pieces.guard[0]}${text}${pieces.guard[1]}` : head + text;
+    if (language !== "c") return head + text;
+    return head + pieces.guard[0] + text.replace(/^static inline /gm, "LOBE_INLINE ") + pieces.guard[1];
 }

@@ -30,7 +30,7 @@ typedef enum lobe_ssr_result {
     LOBE_SSR_OK,
     LOBE_SSR_INTERRUPTED, /* asked to stop: what was finished stays */
     LOBE_SSR_BAD_INPUT,   /* a file, name or option is unusable: exit status 2 */
-    LOBE_SSR_FAILED       /* memory, file: exit status 1 */
+    LOBE_SSR_FAILED       /* memory, file, GPU: exit status 1 */
 } lobe_ssr_result;
 
 /* Why the last call of this thread did not return LOBE_SSR_OK: one line "WHERE: WHAT; HINT". */
@@ -63,10 +63,13 @@ typedef struct lobe_ssr_frame {
     const float *z;         /* along the camera's axis; not above 0 or not finite: no surface */
     const float *normal;    /* x, y, z in the world; any length but 0 */
     const float *roughness; /* perceptual, [0, 1] */
-    const float *f0;        /* r, g, b: reflectance at normal incidence; NULL: 1 */
-    const float *motion;    /* x, y: position on the screen, now minus before; NULL: none */
-    const float *previous_color;      /* r, g, b of the frame before */
-    const unsigned char *mask;        /* 0: this pixel receives no reflection; NULL: all do */
+    /* Brushed surfaces: alpha = roughness^2 (1 + anisotropy) along the tangent, (1 - anisotropy) across it;
+     * -1 to 1. The tangent: x, y, z in the world, any length, need not be across the normal. NULL: none. */
+    const float *anisotropy, *tangent;
+    const float *f0;             /* r, g, b: reflectance at normal incidence; NULL: 1 */
+    const float *motion;         /* x, y: position on the screen, now minus before; NULL: none */
+    const float *previous_color; /* r, g, b of the frame before */
+    const unsigned char *mask;   /* 0: this pixel receives no reflection; NULL: all do */
     lobe_ssr_environment environment; /* where nothing on the screen is met; rgb NULL: black */
     lobe_ssr_camera camera, previous_camera;
 } lobe_ssr_frame;
@@ -84,6 +87,12 @@ typedef enum lobe_ssr_resolve {
     LOBE_SSR_NEIGHBOURHOOD,      /* 3 x 3 rays, weights of visible normals with D cancelled */
     LOBE_SSR_NEIGHBOURHOOD_RATIO /* the same, value here over density there (Stachowiak 2015) */
 } lobe_ssr_resolve;
+
+typedef enum lobe_ssr_backend {
+    LOBE_SSR_CPU,
+    LOBE_SSR_GL,  /* OpenGL 4.5 without a window, by whatever driver there is */
+    LOBE_SSR_AUTO /* OpenGL on a GPU; the processor where there is none */
+} lobe_ssr_backend;
 
 typedef struct lobe_ssr_options {
     lobe_ssr_mode mode;         /* default LOBE_SSR_VNDF */
@@ -103,7 +112,8 @@ typedef struct lobe_ssr_options {
     int as_hdrp; /* for comparison: resolve weights of world-space vectors, pyramid of nearest depths
                          only, draws that are dropped resolved as misses; 0 */
     uint64_t seed;
-    int threads; /* 0: as many as OpenMP offers */
+    int threads;              /* 0: as many as OpenMP offers; of the processor */
+    lobe_ssr_backend backend; /* what runs the passes; LOBE_SSR_CPU */
 } lobe_ssr_options;
 
 LOBE_API lobe_ssr_options lobe_ssr_default_options(void);
@@ -130,7 +140,7 @@ typedef struct lobe_ssr_statistics {
     uint64_t rejected; /* of them not traced: below the surface, or of next to no weight */
     uint64_t hits;     /* of them that met something, the sky included */
     uint64_t steps;    /* of all rays: each looks at one cell of the pyramid */
-    double milliseconds[LOBE_SSR_PASS_COUNT];
+    double milliseconds[LOBE_SSR_PASS_COUNT]; /* on a GPU: by its own clock */
 } lobe_ssr_statistics;
 
 typedef enum lobe_ssr_state {
@@ -157,6 +167,12 @@ typedef struct lobe_ssr lobe_ssr;
 LOBE_API lobe_ssr_result lobe_ssr_create(int width, int height, lobe_ssr_options options,
                                          lobe_ssr **ssr);
 LOBE_API void lobe_ssr_free(lobe_ssr *ssr); /* NULL is fine */
+
+/* What runs the passes: LOBE_SSR_CPU or LOBE_SSR_GL; and its name, for LOBE_SSR_AUTO with the reason why it is
+ * the processor. The same text of each pass runs on both; their results agree to the tolerances of
+ * docs/shaders.md. */
+LOBE_API lobe_ssr_backend lobe_ssr_backend_of(const lobe_ssr *ssr);
+LOBE_API const char *lobe_ssr_device(const lobe_ssr *ssr);
 
 /* The next frame. Frames are numbered from the creation on; `statistics` may be NULL. */
 LOBE_API lobe_ssr_result lobe_ssr_run(lobe_ssr *ssr, const lobe_ssr_frame *frame,

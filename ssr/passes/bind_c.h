@@ -1,13 +1,42 @@
-/* ssr/passes/bind_c.h: the passes in C, single precision. A shader includes its own binding instead. */
+/* ssr/passes/bind_c.h: the passes in C, single precision. A shader includes bind_shader.h instead. */
 #ifndef LOBE_SSR_BIND_C_H
 #define LOBE_SSR_BIND_C_H
 
 #include "kernel/bind/c_f32.h"
 
+/* 32 bits without a sign: sums and products wrap around. */
+typedef uint32_t kword;
+
+/* The upper 24 bits as a number in [0, 1). */
+K_FN real k_unit_of_word(kword word) {
+    return (real)(kint)(word >> 8) * R(5.9604644775390625e-8);
+}
+
+/* x >= 0 */
+K_FN kword k_word(kint x) {
+    return (kword)x;
+}
+
+/* a < b, and false if a is no number. */
+K_FN bool k_is_below(real a, real b) {
+    return a < b;
+}
+
 #include "accumulate.h"
+#include "between.h"
 #include "camera.h"
+#include "composite.h"
 #include "fade.h"
+#include "finite.h"
 #include "march.h"
+#include "noise.h"
+#include "parameters.h"
+#include "pyramid.h"
+#include "ray.h"
+#include "reproject.h"
+#include "resolve.h"
+#include "surface.h"
+#include "trace.h"
 #include "weight.h"
 
 #endif

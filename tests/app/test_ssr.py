@@ -6,6 +6,7 @@ import subprocess
 import tempfile
 import time
 from pathlib import Path
+from unittest import mock
 
 from program import PROGRAM, ProgramTest, main, run
 
@@ -19,7 +20,7 @@ BAD_VALUES = {
     "--spp": ["0", "16777217"],
     "--roughness": ["-0.1", "1.1", "nan"],
     "--threads": ["0", "1025"],
-    "--backend": ["cuda", "gl"],
+    "--backend": ["cuda", ""],
     "--mode": ["ggx"],
     "--method": ["newton", "vcavity", "ndf", "best"],
     "--bias": ["1", "-1"],
@@ -53,8 +54,10 @@ class SsrTest(ProgramTest):
         self.assertEqual((self.folder / "out/frame-0001.exr").read_bytes()[:4], b"\x76\x2f\x31\x01")
         self.assertEqual((self.folder / "out/frame-0001.png").read_bytes()[:4], b"\x89PNG")
         frames = stats.pop("frames")
+        self.assertRegex(stats.pop("device"), "^processor" if stats["backend"] == "cpu" else ".")
+        self.assertIn(stats.pop("backend"), ["cpu", "gl"])
         self.assertEqual(stats, {"width": 48, "height": 27, "mode": "vndf", "method": "bounded",
-                                 "resolve": "neighbourhood-ratio", "backend": "cpu"})
+                                 "resolve": "neighbourhood-ratio"})
         self.assertEqual([frame["frame"] for frame in frames], [0, 1])
         for frame in frames:
             self.assertEqual(set(frame), {"frame", "rays", "rejected", "hit_rate",
@@ -63,6 +66,20 @@ class SsrTest(ProgramTest):
                                                 "accumulate", "composite"})
             self.assertGreater(frame["rays"], 48 * 27 / 4)
             self.assertTrue(0 < frame["hit_rate"] < 1)
+
+    def test_without_a_driver_the_processor_runs_and_gl_says_why(self):
+        """No driver, and one that is too old; a build without OpenGL says so in both."""
+        for variables in ({"__EGL_VENDOR_LIBRARY_FILENAMES": "/dev/null"},
+                          {"MESA_GL_VERSION_OVERRIDE": "4.3", "LIBGL_ALWAYS_SOFTWARE": "1",
+                           "__EGL_VENDOR_LIBRARY_DIRS": "/usr/share/glvnd/egl_vendor.d"}):
+            with mock.patch.dict(os.environ, variables):
+                stats = self.ssr(*ROUGH)
+                self.assertEqual(stats["backend"], "cpu")
+                self.assertRegex(stats["device"], r"^processor \(OpenGL: .*\)$")
+                result = run("ssr", "gallery", "-o", str(self.folder / "gl"), *SMALL,
+                             "--backend", "gl")
+                self.assertEqual((result.returncode, result.stdout), (1, b""))
+                self.assertRegex(result.stderr.decode(), r"\Alobe: OpenGL: .*; .*--backend cpu.*\n\Z")
 
     def test_judges_by_real_rays_and_keeps_them(self):
         first = self.ssr(*ROUGH, "--truth", "--truth-rays", "4")

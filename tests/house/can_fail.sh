@@ -100,8 +100,9 @@ shaders_reject() {
 }
 
 shaders() {
-    mkdir -p "$tree/kernel"
+    mkdir -p "$tree/kernel" "$tree/ssr/passes"
     cp -r "$tools/../kernel/bind" "$tree/kernel/bind"
+    cp "$tools/../ssr/passes/bind_shader.h" "$tree/ssr/passes"
     expect_fail "0 compilations" "$tools/check_shaders.sh" "$tree"
     echo 'K_FN real twice(real x) { return R(2.0) * x; }' | put kernel/a.h
     expect_pass "$tools/check_shaders.sh" "$tree"

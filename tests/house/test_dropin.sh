@@ -35,8 +35,17 @@ for file in "$scratch"/*.h; do
     count=$((count + 1))
 done
 
+# What runs as it is: the compiler has made SPIR-V of all of it.
+{ cat "$scratch/ssr/passes.hlsl"; echo '[numthreads(1, 1, 1)] void main() {}'; } >"$scratch/d.hlsl"
+shader "$scratch/d.hlsl" -D
+programs=0
+for file in "$scratch"/{samplers,ssr}/*.comp; do
+    spirv-val --target-env vulkan1.1 "${file%.comp}.spv"
+    programs=$((programs + 1))
+done
+
 gcc -O2 -ffp-contract=off -I"$scratch" -I"$tree/include" "$tree/tests/house/dropin.c" \
     "$LOBE_BUILD_DIR/liblobe.a" -lm -o "$scratch/dropin"
 "$scratch/dropin"
-echo "dropin: $count kernels in three languages"
-[ $count -gt 0 ]
+echo "dropin: $count kernels in three languages, $programs shaders"
+[ $count -gt 0 ] && [ $programs -gt 30 ]

@@ -1,39 +1,6 @@
 /* tests/ssr/test_input.c: the same bits by any number of threads; broken frames, extreme sizes, bad options. */
 #include "frames.h"
 
-static void check_finite(const lobe_ssr *ssr, const made_frame *m) {
-    for (int i = 0; i < m->width * m->height; i++) {
-        const lobe_ssr_ray *ray = &lobe_ssr_rays(ssr)[i];
-        assert_true(ray->x >= -1 && ray->x < m->width && ray->y >= -1 && ray->y < m->height);
-        assert_true(isfinite(ray->length) && ray->length >= 0.0f);
-        for (int k = 0; k < 4; k++) assert_true(isfinite(lobe_ssr_reflection(ssr)[4 * i + k]));
-        for (int k = 0; k < 3; k++) {
-            assert_true(lobe_ssr_radiance(ssr)[3 * i + k] >= 0.0f);
-            assert_true(isfinite(lobe_ssr_composite(ssr)[3 * i + k]));
-        }
-    }
-}
-
-static float odd_number(uint64_t stream, uint64_t i) {
-    static const float odd[] = {NAN, INFINITY, -INFINITY, 0.0f, -1.0f, 3e38f, 1e-42f, 1.0f};
-    return unit_random(stream, 2 * i) < 0.2f ? odd[(int)(8.0f * unit_random(stream, 2 * i + 1))]
-                                             : 4.0f * unit_random(stream, 2 * i + 1);
-}
-
-static void fill_with_odd_numbers(made_frame *m, uint64_t stream) {
-    const size_t count = (size_t)m->width * (size_t)m->height;
-    for (size_t i = 0; i < count; i++) {
-        m->z[i] = odd_number(stream, i);
-        m->roughness[i] = 0.3f * odd_number(stream + 1, i);
-        for (size_t k = 0; k < 3; k++) {
-            m->normal[3 * i + k] = odd_number(stream + 2, 3 * i + k) - 1.0f;
-            m->color[3 * i + k] = odd_number(stream + 3, 3 * i + k);
-        }
-        for (size_t k = 0; k < 2; k++)
-            m->motion[2 * i + k] = 0.1f * odd_number(stream + 4, 2 * i + k);
-    }
-}
-
 static void broken_frames_give_finite_pictures(void **state) {
     (void)state;
     static const int sizes[][2] = {{1, 1}, {2, 1}, {1, 3}, {67, 41}, {16384, 1}, {1, 16384}};

@@ -98,13 +98,13 @@ static void the_mean_weight_is_the_albedo(void **state) {
 /* In the first frame each number of an aligned 4 x 4 block lies in another sixteenth. */
 static void neighbours_share_out_the_random_numbers(void **state) {
     (void)state;
-    made_frame m = make_frame(64, 32, 50.0f);
-    lobe_ssr *ssr = open_ssr(&m, rough(LOBE_METHOD_BOUNDED));
+    const ssr_noise_keys keys = lobe_ssr_noise_keys(0, 0);
     for (int block = 0; block < 128; block++) {
         unsigned seen[2] = {0, 0}, pairs = 0;
         for (int k = 0; k < 16; k++) {
-            float u[3];
-            lobe_ssr_noise(ssr, block % 16 * 4 + k % 4, block / 16 * 4 + k / 4, u);
+            const ssr_noise n = ssr_noise_of(keys, (kword)(block % 16 * 4 + k % 4),
+                                             (kword)(block / 16 * 4 + k / 4));
+            const float u[3] = {n.u1, n.u2, n.u3};
             for (int d = 0; d < 3; d++) assert_true(u[d] >= 0.0f && u[d] < 1.0f);
             seen[0] |= 1u << (int)(16.0f * u[0]);
             seen[1] |= 1u << (int)(16.0f * u[1]);
@@ -112,8 +112,6 @@ static void neighbours_share_out_the_random_numbers(void **state) {
         }
         assert_true(seen[0] == 0xffffu && seen[1] == 0xffffu && pairs == 0xffffu);
     }
-    lobe_ssr_free(ssr);
-    free_frame(&m);
 }
 
 /* A bias draws nearer to the mirrored direction, by every method for which one is known. */

@@ -23,7 +23,7 @@ static void a_cell_holds_the_extremes_of_its_pixels(void **state) {
                         nearest = fmaxf(nearest, d);
                         farthest = fminf(farthest, d);
                     }
-                const depth_cell cell = p->depth[level][y * p->width[level] + x];
+                const ssr_cell cell = p->depth[level][y * p->width[level] + x];
                 assert_true(cell.nearest == nearest && cell.farthest == farthest);
             }
     lobe_ssr_free(ssr);
