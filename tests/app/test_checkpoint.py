@@ -56,7 +56,8 @@ class KillTest(LongTest):
         self.done("render", *scene, "-o", self.path("whole.exr"))
         with subprocess.Popen([PROGRAM, "render", *scene, "--checkpoint", self.path("c"),
                                "--progress", "json"], stderr=subprocess.PIPE) as process:
-            process.stderr.readline()
+            while b'"render"' not in process.stderr.readline():
+                pass  # the tree, if it takes a while
             process.send_signal(signal.SIGINT)
             process.stderr.read()
             self.assertEqual(process.wait(timeout=60), 130)
