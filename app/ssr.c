@@ -17,16 +17,17 @@
 #include "options.h"
 #include "output.h"
 #include "progress.h"
+#include "ssr_source.h"
 #include "ssr_write.h"
 
 typedef enum backend { BACKEND_AUTO, BACKEND_CPU, BACKEND_GL } backend;
 
 typedef struct ssr_values {
-    const char *out, *camera, *environment;
+    const char *out, *gbuffer, *camera, *environment;
     lobe_app_size size;
     uint64_t frames, spp, seed, threads, iterations, truth_rays;
-    double roughness, thickness, edge_fade, smoothness_start, smoothness_end, accumulation, bias,
-        speed_rejection, speed_scale;
+    double roughness, anisotropy, thickness, edge_fade, smoothness_start, smoothness_end,
+        accumulation, bias, speed_rejection, speed_scale;
     int path, mode, method, resolve, backend, progress;
     bool truth, no_sky, linear, as_hdrp, json;
 } ssr_values;
@@ -45,6 +46,13 @@ static bool read_share(const lobe_app_option *option, const char *text, void *va
     return false;
 }
 
+static bool read_signed_share(const lobe_app_option *option, const char *text, void *value) {
+    if (!lobe_app_read_f64(option, text, value)) return false;
+    if (*(double *)value >= -1 && *(double *)value <= 1) return true;
+    lobe_app_report(option->name, "use -1 to 1", "'%.40s' is out of range", text);
+    return false;
+}
+
 static const lobe_app_option frame_options[] = {
     {"-o", "DIR", NULL, "folder for frames, truth and stats.json", lobe_app_read_name, AT(out),
      NULL},
@@ -60,6 +68,9 @@ static const lobe_app_option frame_options[] = {
      lobe_app_read_count, AT(spp), NULL},
     {"--roughness", "R", "each its own", "perceptual roughness of every surface, for comparisons",
      read_share, AT(roughness), NULL},
+    {"--anisotropy", "A", "each its own",
+     "of every surface, for comparisons: alpha (1 + A) and (1 - A)", read_signed_share,
+     AT(anisotropy), NULL},
     {"--seed", "S", "0", "of the random numbers, any whole number", lobe_app_read_u64, AT(seed),
      NULL},
     {"--threads", "N", "one a processor", "the pictures do not depend on it", lobe_app_read_count,
@@ -108,6 +119,8 @@ static const lobe_app_option output_options[] = {
     {"--truth", NULL, NULL, "trace real rays as well; the error against them goes to stats.json",
      NULL, AT(truth), NULL},
     {"--truth-rays", "N", "256", "real rays a pixel", lobe_app_read_count, AT(truth_rays), NULL},
+    {"--write-gbuffer", "DIR", NULL, "write the frames too: docs/gbuffer.md", lobe_app_read_name,
+     AT(gbuffer), NULL},
     {"--json", NULL, NULL, "stats.json on standard output too", NULL, AT(json), NULL},
     LOBE_APP_PROGRESS_OPTION(ssr_values, progress),
     {0}};
@@ -121,6 +134,7 @@ static ssr_values default_values(void) {
                         .iterations = (uint64_t)o.max_iterations,
                         .truth_rays = 256,
                         .roughness = -1,
+                        .anisotropy = (double)s.anisotropy,
                         .thickness = (double)o.thickness,
                         .edge_fade = (double)o.edge_fade,
                         .smoothness_start = 0.9,
@@ -161,21 +175,13 @@ static lobe_ssr_options pipeline_options(const ssr_values *v) {
 typedef struct ssr_run {
     const ssr_values *values;
     const char *source;
-    lobe_scene *scene;
-    lobe_ssr_frames *frames;
+    lobe_app_ssr_source frames;
     lobe_ssr *ssr;
     lobe_app_truth truth; /* rgb NULL: not asked for */
     json_t *rows;
     lobe_app_progress progress;
     int frame, parts, part; /* what the progress is of */
 } ssr_run;
-
-static lobe_app_status status_of(lobe_ssr_result result) {
-    if (result == LOBE_SSR_OK) return LOBE_APP_DONE;
-    if (result == LOBE_SSR_INTERRUPTED) return LOBE_APP_INTERRUPTED;
-    lobe_app_report_line(lobe_ssr_error_message());
-    return result == LOBE_SSR_BAD_INPUT ? LOBE_APP_BAD_INPUT : LOBE_APP_FAILED;
-}
 
 static void show_progress(void *user, double fraction) {
     ssr_run *run = user;
@@ -192,6 +198,7 @@ static lobe_ssr_scene_options scene_options(ssr_run *run) {
     o.path = (lobe_ssr_path)v->path;
     o.samples = (uint32_t)v->spp;
     o.roughness = (float)v->roughness;
+    o.anisotropy = (float)v->anisotropy;
     o.camera = v->camera;
     o.seed = v->seed;
     o.threads = (int)v->threads;
@@ -209,11 +216,11 @@ static void write_key(const ssr_run *run, char *key, size_t size) {
     snprintf(key, size,
              "lobe %s %.200s %lld %lld env %.200s camera %.60s path %s size %dx%d frame %d of any, "
              "spp %llu "
-             "roughness %.9g seed %llu mode %s rays %llu",
+             "roughness %.9g anisotropy %.9g seed %llu mode %s rays %llu",
              LOBE_VERSION_STRING, run->source, (long long)file.st_size, (long long)file.st_mtime,
              v->environment ? v->environment : "-", v->camera ? v->camera : "-", paths[v->path],
              v->size.width, v->size.height, run->frame, (unsigned long long)v->spp, v->roughness,
-             (unsigned long long)v->seed, modes[v->mode == LOBE_SSR_MIRROR ? 0 : 2],
+             v->anisotropy, (unsigned long long)v->seed, modes[v->mode == LOBE_SSR_MIRROR ? 0 : 2],
              (unsigned long long)v->truth_rays);
 }
 
@@ -223,8 +230,9 @@ static lobe_ssr_result find_truth(ssr_run *run) {
     write_key(run, key, sizeof key);
     if (lobe_app_read_truth(v->out, run->frame, key, &run->truth)) return LOBE_SSR_OK;
     run->part = 1;
-    lobe_ssr_result result = lobe_ssr_truth(run->frames, (lobe_ssr_mode)v->mode, (int)v->truth_rays,
-                                            run->truth.rgb, run->truth.on_screen);
+    lobe_ssr_result result =
+        lobe_ssr_truth(run->frames.frames, (lobe_ssr_mode)v->mode, (int)v->truth_rays,
+                       run->truth.rgb, run->truth.on_screen);
     if (result == LOBE_SSR_OK) result = lobe_app_write_truth(v->out, run->frame, key, &run->truth);
     return result;
 }
@@ -266,7 +274,7 @@ static double flip_of(const ssr_run *run) {
 static json_t *judgement(const ssr_run *run) {
     const double flip = flip_of(run);
     const lobe_ssr_judgement j =
-        lobe_ssr_judge(run->frames, run->ssr, run->truth.rgb, run->truth.on_screen);
+        lobe_ssr_judge(run->frames.frames, run->ssr, run->truth.rgb, run->truth.on_screen);
     return json_pack("{so so so so so}", "relmse",
                      j.pixels ? lobe_app_json_number(j.relmse) : json_null(), "relmse_onscreen",
                      j.pixels_onscreen ? lobe_app_json_number(j.relmse_onscreen) : json_null(),
@@ -290,14 +298,14 @@ static lobe_app_status run_frame(ssr_run *run) {
     lobe_ssr_frame frame;
     lobe_ssr_statistics st;
     run->part = 0;
-    lobe_ssr_result result = lobe_ssr_frames_get(run->frames, run->frame, &frame);
+    lobe_ssr_result result = lobe_app_get_ssr_frame(&run->frames, run->frame, &frame);
     if (result == LOBE_SSR_OK) result = lobe_ssr_run(run->ssr, &frame, &st);
     if (result == LOBE_SSR_OK && run->truth.rgb) result = find_truth(run);
     if (result == LOBE_SSR_OK)
         result = lobe_app_write_ssr_frame(v->out, run->frame, run->ssr,
                                           run->truth.rgb ? &run->truth : NULL, v->size.width,
                                           v->size.height);
-    if (result != LOBE_SSR_OK) return status_of(result);
+    if (result != LOBE_SSR_OK) return lobe_app_ssr_status(result);
     if (append_row(run, &st)) return LOBE_APP_DONE;
     lobe_app_report("stats.json", "free some", "out of memory");
     return LOBE_APP_FAILED;
@@ -337,18 +345,25 @@ static int make_truth(ssr_run *run) {
     return run->truth.rgb != NULL;
 }
 
+/* The folders to write, and what is written along the way. */
+static lobe_app_status make_outputs(ssr_run *run) {
+    const ssr_values *v = run->values;
+    lobe_app_status status = lobe_app_make_folder(v->out);
+    if (!status && v->gbuffer) status = lobe_app_make_folder(v->gbuffer);
+    if (!status && v->gbuffer)
+        status = lobe_app_ssr_status(
+            lobe_ssr_folder_begin(v->gbuffer, v->size.width, v->size.height, &run->frames.writer));
+    run->rows = json_array();
+    if (status || (run->rows && make_truth(run))) return status;
+    lobe_app_report("--truth", "use a smaller --size", "out of memory");
+    return LOBE_APP_FAILED;
+}
+
 static lobe_app_status run_frames(ssr_run *run) {
     const ssr_values *v = run->values;
-    lobe_app_status status =
-        status_of(lobe_ssr_create(v->size.width, v->size.height, pipeline_options(v), &run->ssr));
-    if (!status)
-        status = status_of(lobe_ssr_frames_of_scene(run->scene, scene_options(run), &run->frames));
-    if (!status) status = lobe_app_make_folder(v->out);
-    run->rows = json_array();
-    if (!status && (!run->rows || !make_truth(run))) {
-        lobe_app_report("--truth", "use a smaller --size", "out of memory");
-        status = LOBE_APP_FAILED;
-    }
+    lobe_app_status status = lobe_app_ssr_status(
+        lobe_ssr_create(v->size.width, v->size.height, pipeline_options(v), &run->ssr));
+    if (!status) status = make_outputs(run);
     if (status) return status;
     run->parts = v->truth ? 2 : 1;
     run->progress = lobe_app_begin_progress(v->progress, "ssr", "frames");
@@ -357,35 +372,47 @@ static lobe_app_status run_frames(ssr_run *run) {
         run->frame++;
     }
     lobe_app_end_progress(&run->progress);
+    const lobe_app_status written = lobe_app_ssr_status(lobe_ssr_folder_finish(run->frames.writer));
+    run->frames.writer = NULL;
+    if (!status) status = written;
     if (status != LOBE_APP_DONE && status != LOBE_APP_INTERRUPTED) return status;
-    const lobe_app_status written = finish(run);
-    return written ? written : status;
+    const lobe_app_status finished = finish(run);
+    return finished ? finished : status;
 }
 
-static void print_warning(void *user, const char *message) {
-    (void)user;
-    lobe_app_report_line(message);
+static lobe_app_status open_scene(ssr_run *run) {
+    const ssr_values *v = run->values;
+    const lobe_app_status status =
+        lobe_app_load_ssr_scene(&run->frames, run->source, v->environment);
+    if (status) return status;
+    return lobe_app_ssr_status(
+        lobe_ssr_frames_of_scene(run->frames.scene, scene_options(run), &run->frames.frames));
 }
 
-static lobe_app_status reflect(const ssr_values *v, const char *source) {
+/* The folder says how large the frames are, and how many. */
+static lobe_app_status open_folder(ssr_run *run, ssr_values *v, bool has_count) {
+    const lobe_app_status status =
+        lobe_app_ssr_status(lobe_ssr_folder_open(run->source, &run->frames.folder));
+    if (status) return status;
+    const uint64_t count = (uint64_t)lobe_ssr_folder_count(run->frames.folder);
+    v->size = (lobe_app_size){lobe_ssr_folder_width(run->frames.folder),
+                              lobe_ssr_folder_height(run->frames.folder)};
+    if (has_count && v->frames > count)
+        return lobe_app_reject("--frames", "use fewer", "the folder has %d", (int)count);
+    if (!has_count) v->frames = count;
+    return LOBE_APP_DONE;
+}
+
+static lobe_app_status reflect(ssr_values *v, const char *source, bool has_count) {
     ssr_run run = {.values = v, .source = source};
-    lobe_scene_options options = lobe_scene_default_options();
-    options.environment = v->environment;
-    options.warning = print_warning;
     lobe_app_catch_interrupt();
-    const lobe_render_result loaded = lobe_scene_load(source, options, &run.scene);
-    lobe_app_status status = LOBE_APP_DONE;
-    if (loaded == LOBE_RENDER_OK) {
-        status = run_frames(&run);
-    } else {
-        lobe_app_report_line(lobe_render_error_message());
-        status = loaded == LOBE_RENDER_BAD_INPUT ? LOBE_APP_BAD_INPUT : LOBE_APP_FAILED;
-    }
+    lobe_app_status status =
+        lobe_app_is_folder(source) ? open_folder(&run, v, has_count) : open_scene(&run);
+    if (!status) status = run_frames(&run);
     free(run.truth.rgb);
     json_decref(run.rows);
     lobe_ssr_free(run.ssr);
-    lobe_ssr_frames_free(run.frames);
-    lobe_scene_free(run.scene);
+    lobe_app_close_ssr_source(&run.frames);
     return status;
 }
 
@@ -427,10 +454,22 @@ static lobe_app_status check_method(ssr_values *v, const lobe_app_arguments *arg
     return LOBE_APP_DONE;
 }
 
+/* What says how a scene is seen says nothing of frames that are there already. */
+static lobe_app_status check_folder(const lobe_app_arguments *arguments) {
+    static const char *const of_scenes[] = {"--size",       "--camera-path", "--camera",
+                                            "--env",        "--spp",         "--roughness",
+                                            "--anisotropy", "--truth",       "--write-gbuffer"};
+    for (size_t i = 0; i < sizeof of_scenes / sizeof *of_scenes; i++)
+        if (lobe_app_is_given(arguments, of_scenes[i]))
+            return lobe_app_reject(of_scenes[i], "leave it out, or give a scene",
+                                   "the frames of a folder are as they are");
+    return LOBE_APP_DONE;
+}
+
 static lobe_app_status check(ssr_values *v, const lobe_app_arguments *arguments) {
     if (!arguments->operand)
-        return lobe_app_reject("ssr", "give a file or a name of lobe render --list-scenes",
-                               "no scene");
+        return lobe_app_reject(
+            "ssr", "give a file, a folder or a name of lobe render --list-scenes", "no scene");
     if (!v->out)
         return lobe_app_reject("-o", "give a folder, as -o reflections", "no folder to write");
     if (v->backend == BACKEND_GL)
@@ -440,7 +479,10 @@ static lobe_app_status check(ssr_values *v, const lobe_app_arguments *arguments)
                                "the fade ends before it starts");
     if (lobe_app_is_given(arguments, "--truth-rays") && !v->truth)
         return lobe_app_reject("--truth-rays", "give --truth too", "no truth was asked for");
-    const lobe_app_status status = check_counts(v);
+    if (v->gbuffer && strcmp(v->gbuffer, v->out) == 0)
+        return lobe_app_reject("--write-gbuffer", "give another folder", "the same as of -o");
+    lobe_app_status status = check_counts(v);
+    if (!status && lobe_app_is_folder(arguments->operand)) status = check_folder(arguments);
     return status ? status : check_method(v, arguments);
 }
 
@@ -453,9 +495,10 @@ lobe_app_status lobe_app_ssr(int argc, char **argv) {
                                      {0}};
     const lobe_app_command command = {
         "ssr",
-        "SCENE -o DIR [OPTIONS]",
-        "Reflections from the depth and colour of a scene's frames: rays through the depth "
-        "buffer.\n"
+        "SCENE|FOLDER -o DIR [OPTIONS]",
+        "Reflections from the depth and colour of frames: rays through the depth buffer. The "
+        "frames "
+        "are of\na scene, along a path of the camera, or in a folder: docs/gbuffer.md.\n"
         "DIR gets frame-0000.exr and .png, and stats.json; with --truth the error against real "
         "rays.",
         "SCENE",
@@ -465,5 +508,5 @@ lobe_app_status lobe_app_ssr(int argc, char **argv) {
     lobe_app_status status = lobe_app_parse(&command, argc, argv, &arguments);
     if (status || arguments.is_answered) return status;
     if ((status = check(&values, &arguments))) return status;
-    return reflect(&values, arguments.operand);
+    return reflect(&values, arguments.operand, lobe_app_is_given(&arguments, "--frames"));
 }

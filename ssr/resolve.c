@@ -28,12 +28,13 @@ static float weight_of(const lobe_ssr *s, const resolved_pixel *p, const lobe_ss
     if (ray->state == LOBE_SSR_NO_RAY) return 0.0f;
     if (s->options.as_hdrp) {
         if (ray->state == LOBE_SSR_REJECTED) return 1.0f;
-        return ssr_visible_weight(p->world_to_viewer, direction, p->surface.alpha);
+        const float alpha = 0.5f * (p->surface.alpha_x + p->surface.alpha_y);
+        return ssr_visible_weight(p->world_to_viewer, direction, alpha, alpha);
     }
     if (ray->state == LOBE_SSR_REJECTED) return 0.0f;
     if (s->options.resolve == LOBE_SSR_NEIGHBOURHOOD)
         return ssr_visible_weight(p->surface.to_viewer, to_frame(&p->surface, direction),
-                                  p->surface.alpha);
+                                  p->surface.alpha_x, p->surface.alpha_y);
     /* a mirror's ray is its neighbours' no more */
     if (s->options.mode == LOBE_SSR_MIRROR || p->model.is_mirror) return is_own ? 1.0f : 0.0f;
     return ratio_weight(p, ray, direction);
@@ -65,8 +66,8 @@ static resolved_pixel pixel_of(const lobe_ssr *s, const ssr_surface *surface) {
     if (s->options.resolve != LOBE_SSR_NEIGHBOURHOOD_RATIO) return p;
     lobe_reflection_options options = lobe_reflection_default_options();
     options.model.method = LOBE_METHOD_ELLIPSOID; /* the value does not depend on it */
-    p.model = lobe_reflection_prepare_f32(options, (lobe_vec3_f32){v.x, v.y, v.z}, surface->alpha,
-                                          surface->alpha);
+    p.model = lobe_reflection_prepare_f32(options, (lobe_vec3_f32){v.x, v.y, v.z}, surface->alpha_x,
+                                          surface->alpha_y);
     return p;
 }
 

@@ -42,6 +42,23 @@ v3 lobe_ssr_cross(v3 a, v3 b) {
     return v3_of(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
 }
 
+/* alpha along the axes of the frame, whose x becomes the tangent where that makes a difference. */
+static void set_roughness(const lobe_ssr_frame *f, size_t pixel, ssr_surface *surface) {
+    const float r = k_saturate(f->roughness[pixel]);
+    const float a = f->anisotropy ? f->anisotropy[pixel] : 0.0f;
+    surface->alpha_x = surface->alpha_y = r * r;
+    if (!f->tangent || !(k_abs(a) > 0.0f) || !isfinite(a)) return;
+    const v3 given = ssr_v3(f->tangent + 3 * pixel);
+    const v3 across = v3_sub(given, v3_scale(surface->z, v3_dot(given, surface->z)));
+    const float length2 = v3_dot(across, across);
+    /* also false for what is not a number */
+    if (!(length2 > 1e-12f) || !(length2 < 1e12f)) return;
+    surface->x = v3_normalize(across);
+    surface->y = lobe_ssr_cross(surface->z, surface->x);
+    surface->alpha_x *= 1.0f + ssr_clamp(a, -1.0f, 1.0f);
+    surface->alpha_y *= 1.0f - ssr_clamp(a, -1.0f, 1.0f);
+}
+
 int lobe_ssr_surface_at(const ssr_camera *c, const lobe_ssr_frame *f, int x, int y,
                         ssr_surface *surface) {
     const size_t pixel = (size_t)y * (size_t)c->width + (size_t)x;
@@ -53,13 +70,12 @@ int lobe_ssr_surface_at(const ssr_camera *c, const lobe_ssr_frame *f, int x, int
     surface->z = v3_normalize(normal);
     surface->x = lobe_ssr_across(surface->z);
     surface->y = lobe_ssr_cross(surface->z, surface->x);
+    set_roughness(f, pixel, surface);
     const v3 view = ssr_view_vector(*c, (float)x + 0.5f, (float)y + 0.5f, z);
     surface->distance = k_sqrt(v3_dot(view, view));
     if (!(surface->distance > 0.0f) || !isfinite(surface->distance)) return 0;
     const v3 to_viewer = v3_scale(view, -1.0f / surface->distance);
     surface->to_viewer = v3_of(v3_dot(to_viewer, surface->x), v3_dot(to_viewer, surface->y),
                                v3_dot(to_viewer, surface->z));
-    const float r = k_saturate(roughness);
-    surface->alpha = r * r;
     return surface->to_viewer.z > 0.0f;
 }

@@ -23,7 +23,7 @@ static lobe_reflection_draw_f32 draw_ray(const lobe_ssr *s, const ssr_surface *s
     options.model.method = o->mode == LOBE_SSR_NDF ? LOBE_METHOD_NDF : o->method;
     const lobe_vec3_f32 wi = {surface->to_viewer.x, surface->to_viewer.y, surface->to_viewer.z};
     const lobe_reflection_f32 model =
-        lobe_reflection_prepare_f32(options, wi, surface->alpha, surface->alpha);
+        lobe_reflection_prepare_f32(options, wi, surface->alpha_x, surface->alpha_y);
     float u[3];
     lobe_ssr_noise(s, x, y, u);
     /* the number that tells how far from the centre of the lobe a draw lies */

@@ -68,8 +68,8 @@ static lobe_reflection_draw_f32 draw_real(const real_pixel *p, lobe_ssr_mode mod
         return d;
     }
     const lobe_reflection_f32 model = lobe_reflection_prepare_f32(
-        lobe_reflection_default_options(), (lobe_vec3_f32){v.x, v.y, v.z}, p->surface.alpha,
-        p->surface.alpha);
+        lobe_reflection_default_options(), (lobe_vec3_f32){v.x, v.y, v.z}, p->surface.alpha_x,
+        p->surface.alpha_y);
     const lobe_random4 r = lobe_random(77, stream, (uint64_t)index);
     const float u = ((float)index + lobe_random_unit_f32(r.word[0])) / (float)rays;
     return lobe_reflection_sample_f32(&model, u, lobe_random_unit_f32(r.word[1]), 0.0f);
@@ -89,7 +89,8 @@ static void truth_pixel(const truth_work *w, int x, int y) {
     rgb[0] = rgb[1] = rgb[2] = w->on_screen[pixel] = 0.0f;
     real_pixel p;
     if (!real_pixel_at(w->f, &w->camera, x, y, &p)) return;
-    const int is_mirror = w->mode == LOBE_SSR_MIRROR || p.surface.alpha < (float)LOBE_ALPHA_MIN;
+    const int is_mirror = w->mode == LOBE_SSR_MIRROR ||
+                          k_max(p.surface.alpha_x, p.surface.alpha_y) < (float)LOBE_ALPHA_MIN;
     const int rays = is_mirror ? 1 : w->rays;
     v3 sum = v3_of(0.0f, 0.0f, 0.0f);
     float weights = 0.0f, screens = 0.0f;

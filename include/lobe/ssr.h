@@ -63,10 +63,13 @@ typedef struct lobe_ssr_frame {
     const float *z;         /* along the camera's axis; not above 0 or not finite: no surface */
     const float *normal;    /* x, y, z in the world; any length but 0 */
     const float *roughness; /* perceptual, [0, 1] */
-    const float *f0;        /* r, g, b: reflectance at normal incidence; NULL: 1 */
-    const float *motion;    /* x, y: position on the screen, now minus before; NULL: none */
-    const float *previous_color;      /* r, g, b of the frame before */
-    const unsigned char *mask;        /* 0: this pixel receives no reflection; NULL: all do */
+    /* Brushed surfaces: alpha = roughness^2 (1 + anisotropy) along the tangent, (1 - anisotropy) across it;
+     * -1 to 1. The tangent: x, y, z in the world, any length, need not be across the normal. NULL: none. */
+    const float *anisotropy, *tangent;
+    const float *f0;             /* r, g, b: reflectance at normal incidence; NULL: 1 */
+    const float *motion;         /* x, y: position on the screen, now minus before; NULL: none */
+    const float *previous_color; /* r, g, b of the frame before */
+    const unsigned char *mask;   /* 0: this pixel receives no reflection; NULL: all do */
     lobe_ssr_environment environment; /* where nothing on the screen is met; rgb NULL: black */
     lobe_ssr_camera camera, previous_camera;
 } lobe_ssr_frame;

@@ -36,6 +36,7 @@ typedef struct lobe_ssr_scene_options {
     uint32_t samples;   /* camera paths a pixel of the colour; 16 */
     float
         roughness; /* of all surfaces in place of their own, perceptual; negative: their own; -1 */
+    float anisotropy;   /* the same; above 1: their own; 2 */
     const char *camera; /* of the scene; NULL: its first */
     uint64_t seed;
     int threads; /* 0: as many as OpenMP offers */

@@ -18,6 +18,7 @@ BAD_VALUES = {
     "--camera": ["nobody"],
     "--spp": ["0", "16777217"],
     "--roughness": ["-0.1", "1.1", "nan"],
+    "--anisotropy": ["-1.1", "1.1", "nan"],
     "--threads": ["0", "1025"],
     "--backend": ["cuda", "gl"],
     "--mode": ["ggx"],
@@ -101,6 +102,32 @@ class SsrTest(ProgramTest):
                                   (["--method", "horizon", "--as-hdrp", "--linear"], "horizon")):
             stats = self.ssr(*arguments, *ROUGH, "--no-sky")
             self.assertEqual(stats["method"], method)
+
+    def test_a_written_folder_gives_the_same_bits(self):
+        folder = str(self.folder / "gbuffer")
+        stats = self.ssr(*ROUGH, "--write-gbuffer", folder)
+        self.assertEqual({path.name for path in Path(folder).iterdir()},
+                         {"gbuffer.json", "environment.exr", "gbuffer-0000.exr", "gbuffer-0001.exr"})
+        self.done("ssr", folder, "-o", str(self.folder / "again"), *ROUGH)
+        again = json.loads((self.folder / "again/stats.json").read_text())
+        for key in ("width", "height", "method"):
+            self.assertEqual(stats[key], again[key])
+        for picture in ("frame-0000.exr", "frame-0001.exr"):
+            self.assertEqual((self.folder / "out" / picture).read_bytes(),
+                             (self.folder / "again" / picture).read_bytes())
+        for option in ("--size=8x8", "--truth", "--spp=1", "--camera-path=still", "--roughness=0",
+                       "--anisotropy=0", "--write-gbuffer=x"):
+            self.rejected("ssr", folder, "-o", str(self.folder / "again"), option,
+                          where=option.split("=")[0])
+        self.rejected("ssr", folder, "-o", str(self.folder / "again"), "--frames", "3",
+                      where="--frames")
+        (self.folder / "gbuffer/gbuffer-0001.exr").unlink()
+        self.rejected("ssr", folder, "-o", str(self.folder / "again"))
+
+    def test_a_folder_of_something_else(self):
+        self.rejected("ssr", str(self.folder), "-o", str(self.folder / "out"))
+        self.rejected("ssr", "gallery", "-o", str(self.folder / "x"), "--write-gbuffer",
+                      str(self.folder / "x"), where="--write-gbuffer")
 
     def test_one_pixel(self):
         folder = str(self.folder / "one")
