@@ -22,15 +22,20 @@ const char lobe_app_chart_style[] =
     ".names svg{width:1rem;height:.8rem;display:inline-block;vertical-align:-.05rem;"
     "margin-right:.3rem}";
 
-/* Logarithms, to base 10. */
+/* Logarithms, to base 10; of x as it is if linear. */
 typedef struct frame {
     double x0, x1, y0, y1;
+    bool is_linear;
 } frame;
 
-static void widen(double *least, double *greatest, double value) {
-    if (!(value > 0)) return;
-    *least = fmin(*least, log10(value));
-    *greatest = fmax(*greatest, log10(value));
+static double along(const frame *f, double x) {
+    return f->is_linear ? x : log10(x);
+}
+
+static void widen(double *least, double *greatest, double place) {
+    if (!isfinite(place)) return;
+    *least = fmin(*least, place);
+    *greatest = fmax(*greatest, place);
 }
 
 /* At least a factor of two, and some air. */
@@ -42,13 +47,13 @@ static void pad(double *least, double *greatest) {
 }
 
 static frame frame_of(const lobe_app_chart *chart) {
-    frame f = {INFINITY, -INFINITY, INFINITY, -INFINITY};
+    frame f = {INFINITY, -INFINITY, INFINITY, -INFINITY, chart->is_linear_in_x};
     for (int k = 0; k < chart->count; k++) {
         const lobe_app_series *s = &chart->series[k];
         for (int i = 0; i < s->count; i++) {
-            widen(&f.x0, &f.x1, s->x[i]);
-            widen(&f.y0, &f.y1, s->y[i]);
-            if (isfinite(s->error[i])) widen(&f.y0, &f.y1, s->y[i] + s->error[i]);
+            widen(&f.x0, &f.x1, along(&f, s->x[i]));
+            widen(&f.y0, &f.y1, log10(s->y[i]));
+            if (isfinite(s->error[i])) widen(&f.y0, &f.y1, log10(s->y[i] + s->error[i]));
         }
     }
     pad(&f.x0, &f.x1);
@@ -57,7 +62,7 @@ static frame frame_of(const lobe_app_chart *chart) {
 }
 
 static double at_x(const frame *f, double x) {
-    return LEFT + (WIDTH - LEFT - RIGHT) * (log10(x) - f->x0) / (f->x1 - f->x0);
+    return LEFT + (WIDTH - LEFT - RIGHT) * (along(f, x) - f->x0) / (f->x1 - f->x0);
 }
 
 /* Points below the frame, as an error bar that reaches 0, end at it. */
@@ -121,7 +126,7 @@ static void write_mark(FILE *file, int kind, double x, double y) {
 /* The line of the fitted slope through the middle of the points. */
 static void write_fit(FILE *file, const frame *f, const lobe_app_series *s) {
     double x = 0, y = 0;
-    if (s->count < 2 || !isfinite(s->slope)) return;
+    if (s->count < 2 || !isfinite(s->slope) || f->is_linear) return;
     for (int i = 0; i < s->count; i++) {
         x += log10(s->x[i]) / s->count;
         y += log10(s->y[i]) / s->count;

@@ -14,6 +14,7 @@
 #include "compare_report.h"
 #include "json.h"
 #include "number.h"
+#include "page.h"
 #include "progress.h"
 
 typedef struct sizes {
@@ -219,18 +220,6 @@ static lobe_app_status compare_scene(const compare_values *v, const lobe_app_arg
     return status ? status : judged;
 }
 
-/* The line as it was typed, for the report; to be freed. NULL: out of memory. */
-static char *command_line(int argc, char **argv) {
-    size_t size = sizeof "lobe compare";
-    for (int i = 0; i < argc; i++) size += strlen(argv[i]) + 1;
-    char *line = malloc(size);
-    if (!line) return NULL;
-    size_t used = (size_t)snprintf(line, size, "lobe compare");
-    for (int i = 0; i < argc; i++)
-        used += (size_t)snprintf(line + used, size - used, " %s", argv[i]);
-    return line;
-}
-
 static lobe_app_status compare(const compare_values *v, const lobe_app_arguments *arguments,
                                const char *line) {
     lobe_app_comparison *c = calloc(1, sizeof *c);
@@ -276,7 +265,7 @@ lobe_app_status lobe_app_compare(int argc, char **argv) {
     if (arguments.operand_count > 2)
         return lobe_app_reject(arguments.operands[2], "give a scene, or two pictures",
                                "unexpected argument");
-    char *line = command_line(argc, argv);
+    char *line = lobe_app_command_line("compare", argc, argv);
     const lobe_app_status result = compare(&values, &arguments, line);
     free(line);
     return result;

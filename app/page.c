@@ -59,6 +59,17 @@ void lobe_app_begin_html(FILE *file, const char *title, const char *style) {
     fprintf(file, "</title><style>%s%s</style>\n", STYLE, style);
 }
 
+char *lobe_app_command_line(const char *name, int argc, char **argv) {
+    size_t size = sizeof "lobe " + strlen(name);
+    for (int i = 0; i < argc; i++) size += strlen(argv[i]) + 1;
+    char *line = malloc(size);
+    if (!line) return NULL;
+    size_t used = (size_t)snprintf(line, size, "lobe %s", name);
+    for (int i = 0; i < argc; i++)
+        used += (size_t)snprintf(line + used, size - used, " %s", argv[i]);
+    return line;
+}
+
 void lobe_app_write_html(FILE *file, const char *text) {
     for (; *text; ++text) {
         switch (*text) {

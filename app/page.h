@@ -26,6 +26,9 @@ lobe_app_status lobe_app_finish_file(lobe_app_file *file, bool is_wanted, bool i
 /* Up to and with <style>: the head of a page whose colours follow the reader's system. */
 void lobe_app_begin_html(FILE *file, const char *title, const char *style);
 
+/* "lobe NAME ARGUMENTS", as it was typed; to be freed. NULL: out of memory. */
+char *lobe_app_command_line(const char *name, int argc, char **argv);
+
 /* Text with <, >, & and " as entities. */
 void lobe_app_write_html(FILE *file, const char *text);
 

@@ -6,8 +6,8 @@
 #include <string.h>
 #include <sys/stat.h>
 
-#include <lobe/metrics.h>
 #include <lobe/ssr_frames.h>
+#include <lobe/ssr_picture.h>
 #include <lobe/version.h>
 
 #include "commands.h"
@@ -16,15 +16,19 @@
 #include "model.h"
 #include "options.h"
 #include "output.h"
+#include "page.h"
 #include "progress.h"
+#include "ssr_contest.h"
+#include "ssr_report.h"
+#include "ssr_source.h"
 #include "ssr_write.h"
 
 typedef struct ssr_values {
-    const char *out, *camera, *environment;
+    const char *out, *gbuffer, *compare, *camera, *environment;
     lobe_app_size size;
     uint64_t frames, spp, seed, threads, iterations, truth_rays;
-    double roughness, thickness, edge_fade, smoothness_start, smoothness_end, accumulation, bias,
-        speed_rejection, speed_scale;
+    double roughness, anisotropy, thickness, edge_fade, smoothness_start, smoothness_end,
+        accumulation, bias, speed_rejection, speed_scale;
     int path, mode, method, resolve, backend, progress;
     bool truth, no_sky, linear, as_hdrp, json;
 } ssr_values;
@@ -43,6 +47,13 @@ static bool read_share(const lobe_app_option *option, const char *text, void *va
     return false;
 }
 
+static bool read_signed_share(const lobe_app_option *option, const char *text, void *value) {
+    if (!lobe_app_read_f64(option, text, value)) return false;
+    if (*(double *)value >= -1 && *(double *)value <= 1) return true;
+    lobe_app_report(option->name, "use -1 to 1", "'%.40s' is out of range", text);
+    return false;
+}
+
 static const lobe_app_option frame_options[] = {
     {"-o", "DIR", NULL, "folder for frames, truth and stats.json", lobe_app_read_name, AT(out),
      NULL},
@@ -58,6 +69,9 @@ static const lobe_app_option frame_options[] = {
      lobe_app_read_count, AT(spp), NULL},
     {"--roughness", "R", "each its own", "perceptual roughness of every surface, for comparisons",
      read_share, AT(roughness), NULL},
+    {"--anisotropy", "A", "each its own",
+     "of every surface, for comparisons: alpha (1 + A) and (1 - A)", read_signed_share,
+     AT(anisotropy), NULL},
     {"--seed", "S", "0", "of the random numbers, any whole number", lobe_app_read_u64, AT(seed),
      NULL},
     {"--threads", "N", "one a processor", "the pictures do not depend on it", lobe_app_read_count,
@@ -104,9 +118,14 @@ static const lobe_app_option resolve_options[] = {
     {0}};
 
 static const lobe_app_option output_options[] = {
-    {"--truth", NULL, NULL, "trace real rays as well; the error against them goes to stats.json",
-     NULL, AT(truth), NULL},
+    {"--truth", NULL, NULL, "trace real rays as well: errors in stats.json, and report.html", NULL,
+     AT(truth), NULL},
+    {"--compare", "LIST", NULL,
+     "others on the same frames, as ellipsoid,optimal,ndf,mirror,hdrp: numbers and report",
+     lobe_app_read_name, AT(compare), NULL},
     {"--truth-rays", "N", "256", "real rays a pixel", lobe_app_read_count, AT(truth_rays), NULL},
+    {"--write-gbuffer", "DIR", NULL, "write the frames too: docs/gbuffer.md", lobe_app_read_name,
+     AT(gbuffer), NULL},
     {"--json", NULL, NULL, "stats.json on standard output too", NULL, AT(json), NULL},
     LOBE_APP_PROGRESS_OPTION(ssr_values, progress),
     {0}};
@@ -120,6 +139,7 @@ static ssr_values default_values(void) {
                         .iterations = (uint64_t)o.max_iterations,
                         .truth_rays = 256,
                         .roughness = -1,
+                        .anisotropy = (double)s.anisotropy,
                         .thickness = (double)o.thickness,
                         .edge_fade = (double)o.edge_fade,
                         .smoothness_start = 0.9,
@@ -162,21 +182,14 @@ static lobe_ssr_options pipeline_options(const ssr_values *v) {
 typedef struct ssr_run {
     const ssr_values *values;
     const char *source;
-    lobe_scene *scene;
-    lobe_ssr_frames *frames;
-    lobe_ssr *ssr;
+    lobe_app_ssr_source frames;
+    const char *command; /* as it was typed */
+    lobe_app_ssr_contest contest;
     lobe_app_truth truth; /* rgb NULL: not asked for */
-    json_t *rows;
+    lobe_ssr_animation *preview;
     lobe_app_progress progress;
     int frame, parts, part; /* what the progress is of */
 } ssr_run;
-
-static lobe_app_status status_of(lobe_ssr_result result) {
-    if (result == LOBE_SSR_OK) return LOBE_APP_DONE;
-    if (result == LOBE_SSR_INTERRUPTED) return LOBE_APP_INTERRUPTED;
-    lobe_app_report_line(lobe_ssr_error_message());
-    return result == LOBE_SSR_BAD_INPUT ? LOBE_APP_BAD_INPUT : LOBE_APP_FAILED;
-}
 
 static void show_progress(void *user, double fraction) {
     ssr_run *run = user;
@@ -193,6 +206,7 @@ static lobe_ssr_scene_options scene_options(ssr_run *run) {
     o.path = (lobe_ssr_path)v->path;
     o.samples = (uint32_t)v->spp;
     o.roughness = (float)v->roughness;
+    o.anisotropy = (float)v->anisotropy;
     o.camera = v->camera;
     o.seed = v->seed;
     o.threads = (int)v->threads;
@@ -210,11 +224,11 @@ static void write_key(const ssr_run *run, char *key, size_t size) {
     snprintf(key, size,
              "lobe %s %.200s %lld %lld env %.200s camera %.60s path %s size %dx%d frame %d of any, "
              "spp %llu "
-             "roughness %.9g seed %llu mode %s rays %llu",
+             "roughness %.9g anisotropy %.9g seed %llu mode %s rays %llu",
              LOBE_VERSION_STRING, run->source, (long long)file.st_size, (long long)file.st_mtime,
              v->environment ? v->environment : "-", v->camera ? v->camera : "-", paths[v->path],
              v->size.width, v->size.height, run->frame, (unsigned long long)v->spp, v->roughness,
-             (unsigned long long)v->seed, modes[v->mode == LOBE_SSR_MIRROR ? 0 : 2],
+             v->anisotropy, (unsigned long long)v->seed, modes[v->mode == LOBE_SSR_MIRROR ? 0 : 2],
              (unsigned long long)v->truth_rays);
 }
 
@@ -224,107 +238,132 @@ static lobe_ssr_result find_truth(ssr_run *run) {
     write_key(run, key, sizeof key);
     if (lobe_app_read_truth(v->out, run->frame, key, &run->truth)) return LOBE_SSR_OK;
     run->part = 1;
-    lobe_ssr_result result = lobe_ssr_truth(run->frames, (lobe_ssr_mode)v->mode, (int)v->truth_rays,
-                                            run->truth.rgb, run->truth.on_screen);
+    lobe_ssr_result result =
+        lobe_ssr_truth(run->frames.frames, (lobe_ssr_mode)v->mode, (int)v->truth_rays,
+                       run->truth.rgb, run->truth.on_screen);
     if (result == LOBE_SSR_OK) result = lobe_app_write_truth(v->out, run->frame, key, &run->truth);
     return result;
 }
 
-static json_t *pass_times(const lobe_ssr_statistics *st) {
-    json_t *times = json_object();
-    for (int pass = 0; times && pass < LOBE_SSR_PASS_COUNT; pass++)
-        json_object_set_new(times, lobe_ssr_pass_name((lobe_ssr_pass)pass),
-                            lobe_app_json_number(st->milliseconds[pass]));
-    return times;
+/* ---- Contenders ------------------------------------------------------------------------------ */
+
+static const char *main_name(const ssr_values *v) {
+    return v->mode == LOBE_SSR_VNDF ? lobe_method_name((lobe_method)v->method) : modes[v->mode];
 }
 
-/* The pixels with a ray; the others black. */
-static void keep_traced(const ssr_run *run, const float *from, float *to) {
-    const lobe_app_size size = run->values->size;
-    const lobe_ssr_ray *rays = lobe_ssr_rays(run->ssr);
-    for (size_t pixel = 0; pixel < (size_t)size.width * (size_t)size.height; pixel++)
-        if (rays[pixel].state != LOBE_SSR_NO_RAY)
-            memcpy(to + 3 * pixel, from + 3 * pixel, 3 * sizeof *to);
+/* What a name of --compare changes; false: there is no such name. */
+static bool apply_name(const char *name, lobe_ssr_options *o) {
+    const float bias = o->bias;
+    o->bias = 0;
+    if (strcmp(name, "mirror") == 0 || strcmp(name, "ndf") == 0) {
+        o->mode = name[0] == 'm' ? LOBE_SSR_MIRROR : LOBE_SSR_NDF;
+        o->bias = bias;
+        return true;
+    }
+    o->mode = LOBE_SSR_VNDF;
+    if (strcmp(name, "hdrp") == 0) {
+        o->method = LOBE_METHOD_ELLIPSOID;
+        o->resolve = LOBE_SSR_NEIGHBOURHOOD;
+        o->as_hdrp = 1;
+        o->bias = lobe_ssr_default_options().bias;
+        return true;
+    }
+    for (int m = 0; lobe_app_methods[m]; m++) {
+        const lobe_model model = {LOBE_NDF_GGX, LOBE_MASKING_SMITH, (lobe_method)m};
+        if (strcmp(name, lobe_app_methods[m]) != 0) continue;
+        o->method = (lobe_method)m;
+        if (lobe_ssr_has_bias(o->method)) o->bias = bias;
+        return lobe_model_exists(model);
+    }
+    return false;
 }
 
-/* LDR-FLIP of the reflections; negative: no memory. */
-static double flip_of(const ssr_run *run) {
-    const lobe_app_size size = run->values->size;
-    const size_t values = 3 * (size_t)size.width * (size_t)size.height;
-    float *seen = calloc(2 * values, sizeof *seen);
-    double flip = -1.0;
-    if (!seen) return flip;
-    float *truth = seen + values;
-    keep_traced(run, lobe_ssr_radiance(run->ssr), seen);
-    keep_traced(run, run->truth.rgb, truth);
-    if (!lobe_flip(seen, truth, size.width, size.height, LOBE_FLIP_LDR, LOBE_FLIP_PIXELS_PER_DEGREE,
-                   NULL, &flip))
-        flip = -1.0;
-    free(seen);
-    return flip;
+static lobe_app_status add_contenders(lobe_app_ssr_contest *contest, const ssr_values *v) {
+    lobe_app_add_ssr_contender(contest, v->as_hdrp ? "as hdrp" : main_name(v), pipeline_options(v));
+    for (const char *at = v->compare; at;) {
+        const size_t length = strcspn(at, ",");
+        char name[32];
+        snprintf(name, sizeof name, "%.*s", length < sizeof name ? (int)length : 0, at);
+        lobe_ssr_options options = pipeline_options(v);
+        if (!apply_name(name, &options))
+            return lobe_app_reject("--compare", "use methods of Smith-GGX, ndf, mirror or hdrp",
+                                   "'%.*s' is none", (int)(length < 40 ? length : 40), at);
+        if (!lobe_app_add_ssr_contender(contest, name, options))
+            return lobe_app_reject("--compare", "use 11 at most", "too many names");
+        at = at[length] ? at + length + 1 : NULL;
+    }
+    return LOBE_APP_DONE;
 }
 
-static json_t *judgement(const ssr_run *run) {
-    const double flip = flip_of(run);
-    const lobe_ssr_judgement j =
-        lobe_ssr_judge(run->frames, run->ssr, run->truth.rgb, run->truth.on_screen);
-    return json_pack("{so so so so so}", "relmse",
-                     j.pixels ? lobe_app_json_number(j.relmse) : json_null(), "relmse_onscreen",
-                     j.pixels_onscreen ? lobe_app_json_number(j.relmse_onscreen) : json_null(),
-                     "flip", flip >= 0.0 ? lobe_app_json_number(flip) : json_null(), "false_hits",
-                     lobe_app_json_number(j.false_hits), "false_misses",
-                     lobe_app_json_number(j.false_misses));
-}
+/* ---- Frames ---------------------------------------------------------------------------------- */
 
-static int append_row(ssr_run *run, const lobe_ssr_statistics *st) {
-    const double rays = fmax(1.0, (double)st->rays);
-    json_t *row = json_pack("{si sI sI so so so}", "frame", run->frame, "rays",
-                            (json_int_t)st->rays, "rejected", (json_int_t)st->rejected, "hit_rate",
-                            lobe_app_json_number((double)st->hits / rays), "steps_per_ray",
-                            lobe_app_json_number((double)st->steps / rays), "ms", pass_times(st));
-    if (row && run->truth.rgb) json_object_set_new(row, "truth", judgement(run));
-    return json_array_append_new(run->rows, row) == 0;
+/* What a person wants to look at, not a film. */
+enum { PREVIEW_FRAMES = 240, PREVIEW_MILLISECONDS = 100 };
+
+static lobe_ssr_result add_to_preview(ssr_run *run) {
+    if (!run->preview || run->frame >= PREVIEW_FRAMES) return LOBE_SSR_OK;
+    return lobe_ssr_animation_add(run->preview, lobe_ssr_composite(run->contest.contender[0].ssr),
+                                  3);
 }
 
 static lobe_app_status run_frame(ssr_run *run) {
     const ssr_values *v = run->values;
     lobe_ssr_frame frame;
-    lobe_ssr_statistics st;
     run->part = 0;
-    lobe_ssr_result result = lobe_ssr_frames_get(run->frames, run->frame, &frame);
-    if (result == LOBE_SSR_OK) result = lobe_ssr_run(run->ssr, &frame, &st);
-    if (result == LOBE_SSR_OK && run->truth.rgb) result = find_truth(run);
-    if (result == LOBE_SSR_OK)
-        result = lobe_app_write_ssr_frame(v->out, run->frame, run->ssr,
-                                          run->truth.rgb ? &run->truth : NULL, v->size.width,
-                                          v->size.height);
-    if (result != LOBE_SSR_OK) return status_of(result);
-    if (append_row(run, &st)) return LOBE_APP_DONE;
-    lobe_app_report("stats.json", "free some", "out of memory");
-    return LOBE_APP_FAILED;
+    lobe_app_status status =
+        lobe_app_ssr_status(lobe_app_get_ssr_frame(&run->frames, run->frame, &frame));
+    if (!status) status = lobe_app_run_ssr_contest(&run->contest, run->frame, &frame);
+    if (!status && run->truth.rgb) status = lobe_app_ssr_status(find_truth(run));
+    if (!status && run->truth.rgb)
+        status =
+            lobe_app_judge_ssr_contest(&run->contest, run->frame, run->frames.frames, &run->truth);
+    if (!status)
+        status = lobe_app_ssr_status(lobe_app_write_ssr_frame(
+            v->out, run->frame, run->contest.contender[0].ssr, run->truth.rgb ? &run->truth : NULL,
+            v->size.width, v->size.height));
+    if (!status) status = lobe_app_ssr_status(add_to_preview(run));
+    if (!status) run->contest.done = run->frame + 1;
+    return status;
 }
 
 /* Black pictures are not what somebody asks for. */
 static void warn_without_rays(const ssr_run *run) {
-    size_t frame;
-    json_t *row;
-    json_array_foreach(run->rows, frame,
-                       row) if (json_integer_value(json_object_get(row, "rays")) > 0) return;
+    for (int i = 0; i < run->contest.done; i++)
+        if (run->contest.contender[0].rows[i].statistics.rays > 0) return;
     lobe_app_report("--min-smoothness", "give a smaller one, as 0.4",
                     "no surface on the screen is so smooth, nothing was traced");
 }
 
-static lobe_app_status finish(ssr_run *run) {
+/* The others by name; NULL: out of memory. */
+static json_t *compared(const lobe_app_ssr_contest *c) {
+    json_t *list = json_array();
+    for (int m = 1; m < c->contenders; m++)
+        json_array_append_new(list, json_pack("{ss so}", "name", c->contender[m].name, "frames",
+                                              lobe_app_ssr_rows(c, &c->contender[m])));
+    return list;
+}
+
+static json_t *make_stats(const ssr_run *run) {
+    const ssr_values *v = run->values;
+    const lobe_ssr *ssr = run->contest.contender[0].ssr;
+    json_t *stats =
+        json_pack("{si si ss ss ss ss ss so}", "width", v->size.width, "height", v->size.height,
+                  "mode", modes[v->mode], "method", main_name(v), "resolve", resolves[v->resolve],
+                  "backend", backends[lobe_ssr_backend_of(ssr)], "device", lobe_ssr_device(ssr),
+                  "frames", lobe_app_ssr_rows(&run->contest, &run->contest.contender[0]));
+    if (run->contest.contenders > 1)
+        json_object_set_new(stats, "compared", compared(&run->contest));
+    return stats;
+}
+
+static lobe_app_status finish(ssr_run *run, bool is_interrupted) {
     const ssr_values *v = run->values;
     warn_without_rays(run);
-    const char *method =
-        v->mode == LOBE_SSR_VNDF ? lobe_method_name((lobe_method)v->method) : modes[v->mode];
-    json_t *stats =
-        json_pack("{si si ss ss ss ss ss sO}", "width", v->size.width, "height", v->size.height,
-                  "mode", modes[v->mode], "method", method, "resolve", resolves[v->resolve],
-                  "backend", backends[lobe_ssr_backend_of(run->ssr)], "device",
-                  lobe_ssr_device(run->ssr), "frames", run->rows);
+    json_t *stats = make_stats(run);
     lobe_app_status status = lobe_app_write_stats(v->out, stats);
+    if (!status && run->truth.rgb && run->contest.done)
+        status = lobe_app_write_ssr_report(&run->contest, run->source, run->command, is_interrupted,
+                                           v->out);
     if (status == LOBE_APP_DONE && v->json) return lobe_app_print_json(stats);
     json_decref(stats);
     return status;
@@ -340,19 +379,50 @@ static int make_truth(ssr_run *run) {
     return run->truth.rgb != NULL;
 }
 
+/* A moving picture, of more than one frame. */
+static lobe_app_status begin_preview(ssr_run *run) {
+    const ssr_values *v = run->values;
+    char path[PATH_MAX];
+    if (v->frames < 2) return LOBE_APP_DONE;
+    snprintf(path, sizeof path, "%s/preview.png", v->out);
+    return lobe_app_ssr_status(lobe_ssr_animation_begin(path, v->size.width, v->size.height,
+                                                        PREVIEW_MILLISECONDS, &run->preview));
+}
+
+/* The folders to write, and what is written along the way. */
+static lobe_app_status make_outputs(ssr_run *run) {
+    const ssr_values *v = run->values;
+    lobe_app_status status = lobe_app_make_folder(v->out);
+    if (!status && v->gbuffer) status = lobe_app_make_folder(v->gbuffer);
+    if (!status && v->gbuffer)
+        status = lobe_app_ssr_status(
+            lobe_ssr_folder_begin(v->gbuffer, v->size.width, v->size.height, &run->frames.writer));
+    if (!status) status = begin_preview(run);
+    if (status || make_truth(run)) return status;
+    lobe_app_report("--truth", "use a smaller --size", "out of memory");
+    return LOBE_APP_FAILED;
+}
+
+/* Ends what is written along the way; the first thing that went wrong. */
+static lobe_app_status finish_outputs(ssr_run *run, lobe_app_status status) {
+    const lobe_ssr_result folder = lobe_ssr_folder_finish(run->frames.writer);
+    if (!status) status = lobe_app_ssr_status(folder);
+    const lobe_ssr_result preview = lobe_ssr_animation_finish(run->preview);
+    if (!status && run->contest.done) status = lobe_app_ssr_status(preview);
+    run->frames.writer = NULL;
+    run->preview = NULL;
+    return status;
+}
+
 static lobe_app_status run_frames(ssr_run *run) {
     const ssr_values *v = run->values;
-    lobe_app_status status =
-        status_of(lobe_ssr_create(v->size.width, v->size.height, pipeline_options(v), &run->ssr));
-    if (!status)
-        status = status_of(lobe_ssr_frames_of_scene(run->scene, scene_options(run), &run->frames));
-    if (!status) status = lobe_app_make_folder(v->out);
-    run->rows = json_array();
-    if (!status && (!run->rows || !make_truth(run))) {
-        lobe_app_report("--truth", "use a smaller --size", "out of memory");
-        status = LOBE_APP_FAILED;
-    }
-    if (status) return status;
+    lobe_app_ssr_contest *c = &run->contest;
+    c->width = v->size.width;
+    c->height = v->size.height;
+    c->frames = (int)v->frames;
+    c->has_truth = v->truth;
+    lobe_app_status status = lobe_app_open_ssr_contest(c);
+    if (!status) status = make_outputs(run);
     run->parts = v->truth ? 2 : 1;
     run->progress = lobe_app_begin_progress(v->progress, "ssr", "frames");
     while (!status && run->frame < (int)v->frames) {
@@ -360,35 +430,48 @@ static lobe_app_status run_frames(ssr_run *run) {
         run->frame++;
     }
     lobe_app_end_progress(&run->progress);
+    status = finish_outputs(run, status);
     if (status != LOBE_APP_DONE && status != LOBE_APP_INTERRUPTED) return status;
-    const lobe_app_status written = finish(run);
-    return written ? written : status;
+    const lobe_app_status finished = finish(run, status == LOBE_APP_INTERRUPTED);
+    return finished ? finished : status;
 }
 
-static void print_warning(void *user, const char *message) {
-    (void)user;
-    lobe_app_report_line(message);
+static lobe_app_status open_scene(ssr_run *run) {
+    const ssr_values *v = run->values;
+    const lobe_app_status status =
+        lobe_app_load_ssr_scene(&run->frames, run->source, v->environment);
+    if (status) return status;
+    return lobe_app_ssr_status(
+        lobe_ssr_frames_of_scene(run->frames.scene, scene_options(run), &run->frames.frames));
 }
 
-static lobe_app_status reflect(const ssr_values *v, const char *source) {
-    ssr_run run = {.values = v, .source = source};
-    lobe_scene_options options = lobe_scene_default_options();
-    options.environment = v->environment;
-    options.warning = print_warning;
+/* The folder says how large the frames are, and how many. */
+static lobe_app_status open_folder(ssr_run *run, ssr_values *v, bool has_count) {
+    const lobe_app_status status =
+        lobe_app_ssr_status(lobe_ssr_folder_open(run->source, &run->frames.folder));
+    if (status) return status;
+    const uint64_t count = (uint64_t)lobe_ssr_folder_count(run->frames.folder);
+    v->size = (lobe_app_size){lobe_ssr_folder_width(run->frames.folder),
+                              lobe_ssr_folder_height(run->frames.folder)};
+    if (has_count && v->frames > count)
+        return lobe_app_reject("--frames", "use fewer", "the folder has %d", (int)count);
+    if (!has_count) v->frames = count;
+    return LOBE_APP_DONE;
+}
+
+static lobe_app_status reflect(ssr_values *v, const lobe_app_arguments *arguments,
+                               const char *command) {
+    ssr_run run = {.values = v, .source = arguments->operand, .command = command};
+    lobe_app_status status = add_contenders(&run.contest, v);
+    if (status) return status;
     lobe_app_catch_interrupt();
-    const lobe_render_result loaded = lobe_scene_load(source, options, &run.scene);
-    lobe_app_status status = LOBE_APP_DONE;
-    if (loaded == LOBE_RENDER_OK) {
-        status = run_frames(&run);
-    } else {
-        lobe_app_report_line(lobe_render_error_message());
-        status = loaded == LOBE_RENDER_BAD_INPUT ? LOBE_APP_BAD_INPUT : LOBE_APP_FAILED;
-    }
+    status = lobe_app_is_folder(run.source)
+                 ? open_folder(&run, v, lobe_app_is_given(arguments, "--frames"))
+                 : open_scene(&run);
+    if (!status) status = run_frames(&run);
     free(run.truth.rgb);
-    json_decref(run.rows);
-    lobe_ssr_free(run.ssr);
-    lobe_ssr_frames_free(run.frames);
-    lobe_scene_free(run.scene);
+    lobe_app_close_ssr_contest(&run.contest);
+    lobe_app_close_ssr_source(&run.frames);
     return status;
 }
 
@@ -430,10 +513,22 @@ static lobe_app_status check_method(ssr_values *v, const lobe_app_arguments *arg
     return LOBE_APP_DONE;
 }
 
+/* What says how a scene is seen says nothing of frames that are there already. */
+static lobe_app_status check_folder(const lobe_app_arguments *arguments) {
+    static const char *const of_scenes[] = {"--size",       "--camera-path", "--camera",
+                                            "--env",        "--spp",         "--roughness",
+                                            "--anisotropy", "--truth",       "--write-gbuffer"};
+    for (size_t i = 0; i < sizeof of_scenes / sizeof *of_scenes; i++)
+        if (lobe_app_is_given(arguments, of_scenes[i]))
+            return lobe_app_reject(of_scenes[i], "leave it out, or give a scene",
+                                   "the frames of a folder are as they are");
+    return LOBE_APP_DONE;
+}
+
 static lobe_app_status check(ssr_values *v, const lobe_app_arguments *arguments) {
     if (!arguments->operand)
-        return lobe_app_reject("ssr", "give a file or a name of lobe render --list-scenes",
-                               "no scene");
+        return lobe_app_reject(
+            "ssr", "give a file, a folder or a name of lobe render --list-scenes", "no scene");
     if (!v->out)
         return lobe_app_reject("-o", "give a folder, as -o reflections", "no folder to write");
     if (v->smoothness_end > v->smoothness_start)
@@ -441,7 +536,10 @@ static lobe_app_status check(ssr_values *v, const lobe_app_arguments *arguments)
                                "the fade ends before it starts");
     if (lobe_app_is_given(arguments, "--truth-rays") && !v->truth)
         return lobe_app_reject("--truth-rays", "give --truth too", "no truth was asked for");
-    const lobe_app_status status = check_counts(v);
+    if (v->gbuffer && strcmp(v->gbuffer, v->out) == 0)
+        return lobe_app_reject("--write-gbuffer", "give another folder", "the same as of -o");
+    lobe_app_status status = check_counts(v);
+    if (!status && lobe_app_is_folder(arguments->operand)) status = check_folder(arguments);
     return status ? status : check_method(v, arguments);
 }
 
@@ -454,11 +552,13 @@ lobe_app_status lobe_app_ssr(int argc, char **argv) {
                                      {0}};
     const lobe_app_command command = {
         "ssr",
-        "SCENE -o DIR [OPTIONS]",
-        "Reflections from the depth and colour of a scene's frames: rays through the depth "
-        "buffer.\n"
-        "DIR gets frame-0000.exr and .png, and stats.json; with --truth the error against real "
-        "rays.",
+        "SCENE|FOLDER -o DIR [OPTIONS]",
+        "Reflections from the depth and colour of frames: rays through the depth buffer. The "
+        "frames "
+        "are of\na scene, along a path of the camera, or in a folder: docs/gbuffer.md.\n"
+        "DIR gets frame-0000.exr and .png, preview.png and stats.json; with --truth the error "
+        "against "
+        "real rays, and\nreport.html.",
         "SCENE",
         groups,
         "lobe ssr gallery -o reflections --min-smoothness 0.4 --truth"};
@@ -466,5 +566,13 @@ lobe_app_status lobe_app_ssr(int argc, char **argv) {
     lobe_app_status status = lobe_app_parse(&command, argc, argv, &arguments);
     if (status || arguments.is_answered) return status;
     if ((status = check(&values, &arguments))) return status;
-    return reflect(&values, arguments.operand);
+    char *line = lobe_app_command_line("ssr", argc, argv);
+    if (line) {
+        status = reflect(&values, &arguments, line);
+    } else {
+        lobe_app_report("ssr", "free some", "out of memory");
+        status = LOBE_APP_FAILED;
+    }
+    free(line);
+    return status;
 }

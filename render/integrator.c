@@ -504,6 +504,8 @@ int lobe_first_surface(const lobe_scene *s, vec3 origin, vec3 direction,
                                   .normal = h.shading.z,
                                   .geometric = h.geometric,
                                   .f0 = v3_lerp(coat_f0, base_color_at(s, &h), metallic),
-                                  .roughness = roughness};
+                                  .roughness = roughness,
+                                  .anisotropy = anisotropy,
+                                  .tangent = shading.x};
     return 1;
 }

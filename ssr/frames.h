@@ -14,12 +14,15 @@ struct lobe_ssr_frames {
     lobe_view view;       /* of frame 0 */
     float *environment;   /* prefiltered */
     lobe_ssr_frame frame; /* the present one */
-    float *z, *normal, *roughness, *f0, *motion, *color;
+    float *z, *normal, *roughness, *f0, *motion, *color, *tangent, *anisotropy;
     float *previous_z; /* as seen by the previous camera */
 };
 
-/* Prefilter what surrounds the scene; NULL: no memory. */
-float *lobe_ssr_prefilter(const lobe_rays *rays, int threads);
+/* Light from a direction. */
+typedef v3 ssr_light(const void *source, v3 direction);
+
+/* What surrounds a scene, for each roughness: ENVIRONMENT_LEVELS pictures; NULL: no memory. */
+float *lobe_ssr_prefilter(ssr_light *light, const void *source, int threads);
 
 /* Camera of a frame; of a negative one, the first's. */
 lobe_ssr_camera lobe_ssr_frame_camera(const lobe_ssr_frames *f, int index);

@@ -53,11 +53,18 @@ static inline v3 ssr_v3(const float *values) {
 ssr_camera lobe_ssr_camera_of(const lobe_ssr_camera *c, float width, float height);
 ssr_camera lobe_ssr_kernel_camera(const lobe_ssr *s, const lobe_ssr_camera *c);
 
+/* Whether a camera can be used: see lobe_ssr_camera. */
+int lobe_ssr_is_camera(const lobe_ssr_camera *c);
+
 /* 0: no surface there. */
 float lobe_ssr_z_at(const lobe_ssr_frame *f, size_t pixel);
 
 /* Motion of a pixel, 0 where it is not finite. */
 void lobe_ssr_motion_at(const lobe_ssr_frame *f, size_t pixel, float motion[2]);
+
+/* Motion of a place that does not move itself and is seen at pixel (x, y) now. */
+void lobe_ssr_motion_of(const ssr_camera *now, const ssr_camera *before, int x, int y, v3 place,
+                        float motion[2]);
 
 /* 0: none there, not seen from the front. */
 int lobe_ssr_surface_at(const ssr_camera *c, const lobe_ssr_frame *f, int x, int y,

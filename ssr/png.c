@@ -6,6 +6,7 @@
 #include "lobe/ssr_picture.h"
 #include "message.h"
 #include "output.h"
+#include "screen.h"
 
 static void write_bytes(void *user, void *data, int size) {
     lobe_ssr_output_write(user, data, (size_t)size);
@@ -17,13 +18,18 @@ static unsigned char code_of(float linear) {
     return (unsigned char)(255.0f * s + 0.5f);
 }
 
-lobe_ssr_result lobe_ssr_write_png(const char *path, int width, int height, const float *rgb,
-                                   int stride) {
+unsigned char *lobe_ssr_screen_bytes(int width, int height, const float *rgb, int stride) {
     const size_t count = (size_t)width * (size_t)height;
     unsigned char *bytes = malloc(3 * count);
-    if (!bytes) return lobe_ssr_fail_memory(path);
-    for (size_t i = 0; i < count; i++)
+    for (size_t i = 0; bytes && i < count; i++)
         for (size_t k = 0; k < 3; k++) bytes[3 * i + k] = code_of(rgb[i * (size_t)stride + k]);
+    return bytes;
+}
+
+lobe_ssr_result lobe_ssr_write_png(const char *path, int width, int height, const float *rgb,
+                                   int stride) {
+    unsigned char *bytes = lobe_ssr_screen_bytes(width, height, rgb, stride);
+    if (!bytes) return lobe_ssr_fail_memory(path);
     ssr_output out;
     lobe_ssr_result result = lobe_ssr_output_open(&out, path);
     if (result == LOBE_SSR_OK) {

@@ -10,8 +10,12 @@
 #include "message.h"
 
 lobe_ssr_scene_options lobe_ssr_scene_default_options(void) {
-    return (lobe_ssr_scene_options){
-        .width = 640, .height = 360, .count = 8, .samples = 16, .roughness = -1.0f};
+    return (lobe_ssr_scene_options){.width = 640,
+                                    .height = 360,
+                                    .count = 8,
+                                    .samples = 16,
+                                    .roughness = -1.0f,
+                                    .anisotropy = 2.0f};
 }
 
 static lobe_ssr_result check_options(const lobe_ssr_scene_options *o) {
@@ -21,7 +25,7 @@ static lobe_ssr_result check_options(const lobe_ssr_scene_options *o) {
                              o->width, o->height, LOBE_SSR_SIZE_MAX);
     if (o->count < 1 || o->count > 1000000 || o->samples < 1 ||
         o->samples > LOBE_RENDER_SAMPLES_MAX || (unsigned)o->path > LOBE_SSR_PATH_STILL ||
-        !(o->roughness <= 1.0f) || o->threads < 0 || o->threads > 1024)
+        !(o->roughness <= 1.0f) || !(o->anisotropy >= -1.0f) || o->threads < 0 || o->threads > 1024)
         return lobe_ssr_fail(LOBE_SSR_BAD_INPUT,
                              "options: a value is out of range; see lobe/ssr_frames.h");
     return LOBE_SSR_OK;
@@ -33,18 +37,24 @@ static lobe_ssr_result pass_on(lobe_render_result result) {
                          "%s", lobe_render_error_message());
 }
 
+static v3 light_of_scene(const void *rays, v3 direction) {
+    return ssr_in(lobe_rays_environment(rays, ssr_out(direction)));
+}
+
 static int make_buffers(lobe_ssr_frames *f) {
     const size_t count = (size_t)f->options.width * (size_t)f->options.height;
-    f->environment = lobe_ssr_prefilter(f->rays, f->threads);
+    f->environment = lobe_ssr_prefilter(light_of_scene, f->rays, f->threads);
     f->z = malloc(count * sizeof *f->z);
     f->normal = malloc(3 * count * sizeof *f->normal);
     f->roughness = malloc(count * sizeof *f->roughness);
     f->f0 = malloc(3 * count * sizeof *f->f0);
     f->motion = malloc(2 * count * sizeof *f->motion);
+    f->tangent = malloc(3 * count * sizeof *f->tangent);
+    f->anisotropy = malloc(count * sizeof *f->anisotropy);
     f->color = malloc(3 * count * sizeof *f->color);
     f->previous_z = malloc(count * sizeof *f->previous_z);
     return f->environment && f->z && f->normal && f->roughness && f->f0 && f->motion && f->color &&
-           f->previous_z;
+           f->tangent && f->anisotropy && f->previous_z;
 }
 
 lobe_ssr_result lobe_ssr_frames_of_scene(const lobe_scene *scene, lobe_ssr_scene_options options,
@@ -70,6 +80,8 @@ lobe_ssr_result lobe_ssr_frames_of_scene(const lobe_scene *scene, lobe_ssr_scene
         .z = f->z,
         .normal = f->normal,
         .roughness = f->roughness,
+        .anisotropy = f->anisotropy,
+        .tangent = f->tangent,
         .f0 = f->f0,
         .motion = f->motion,
         .previous_color = f->color,
@@ -88,6 +100,8 @@ void lobe_ssr_frames_free(lobe_ssr_frames *f) {
     free(f->f0);
     free(f->motion);
     free(f->color);
+    free(f->tangent);
+    free(f->anisotropy);
     free(f->previous_z);
     free(f);
 }
@@ -120,18 +134,6 @@ typedef struct scene_frame {
     int index;
 } scene_frame;
 
-/* Where a place, or what lies without end in its direction, was on the screen. */
-static void put_motion(const scene_frame *s, int x, int y, v3 place, float motion[2]) {
-    const v3 was = ssr_project(s->previous, place);
-    motion[0] = motion[1] = 0.0f;
-    if (!(was.z > 0.0f)) {
-        motion[0] = 2.0f; /* off every screen */
-        return;
-    }
-    motion[0] = ((float)x + 0.5f - was.x) / s->camera.width;
-    motion[1] = ((float)y + 0.5f - was.y) / s->camera.height;
-}
-
 static v3 ray_through(const ssr_camera *c, float px, float py, float *length) {
     return ssr_unit(ssr_view_vector(*c, px, py, 1.0f), length);
 }
@@ -144,17 +146,21 @@ static void fill_pixel(const scene_frame *s, int x, int y) {
     lobe_ray_surface surface;
     memset(f->normal + 3 * i, 0, 3 * sizeof *f->normal);
     memset(f->f0 + 3 * i, 0, 3 * sizeof *f->f0);
-    f->z[i] = f->roughness[i] = 0.0f;
+    memset(f->tangent + 3 * i, 0, 3 * sizeof *f->tangent);
+    f->z[i] = f->roughness[i] = f->anisotropy[i] = 0.0f;
     if (!lobe_rays_meet(f->rays, ssr_out(s->camera.eye), ssr_out(direction), &surface)) {
         const v3 far_away = v3_scale(direction, 1e6f * s->camera.near_z);
-        put_motion(s, x, y, v3_add(s->camera.eye, far_away), f->motion + 2 * i);
+        lobe_ssr_motion_of(&s->camera, &s->previous, x, y, v3_add(s->camera.eye, far_away),
+                           f->motion + 2 * i);
         return;
     }
     f->z[i] = surface.distance / length;
     f->roughness[i] = f->options.roughness >= 0.0f ? f->options.roughness : surface.roughness;
     memcpy(f->normal + 3 * i, &surface.normal, 3 * sizeof *f->normal);
+    f->anisotropy[i] = f->options.anisotropy <= 1.0f ? f->options.anisotropy : surface.anisotropy;
+    memcpy(f->tangent + 3 * i, &surface.tangent, 3 * sizeof *f->tangent);
     memcpy(f->f0 + 3 * i, &surface.f0, 3 * sizeof *f->f0);
-    put_motion(s, x, y, ssr_in(surface.position), f->motion + 2 * i);
+    lobe_ssr_motion_of(&s->camera, &s->previous, x, y, ssr_in(surface.position), f->motion + 2 * i);
 }
 
 /* Box-filtered, as engines have it. */

@@ -212,7 +212,7 @@ static int is_across(lobe_vec3_f32 a, lobe_vec3_f32 b) {
     return fabsf(a.x * b.x + a.y * b.y + a.z * b.z) < 0.01f;
 }
 
-static int is_camera(const lobe_ssr_camera *c) {
+int lobe_ssr_is_camera(const lobe_ssr_camera *c) {
     return isfinite(c->eye.x) && isfinite(c->eye.y) && isfinite(c->eye.z) &&
            is_direction(c->right) && is_direction(c->up) && is_direction(c->forward) &&
            is_across(c->right, c->up) && is_across(c->up, c->forward) &&
@@ -225,7 +225,7 @@ static lobe_ssr_result check_frame(const lobe_ssr_frame *f) {
     if (!f->z || !f->normal || !f->roughness || !f->previous_color)
         return lobe_ssr_fail(LOBE_SSR_BAD_INPUT,
                              "frame: z, normal, roughness or previous colour is missing; give all");
-    if (!is_camera(&f->camera) || !is_camera(&f->previous_camera))
+    if (!lobe_ssr_is_camera(&f->camera) || !lobe_ssr_is_camera(&f->previous_camera))
         return lobe_ssr_fail(LOBE_SSR_BAD_INPUT, "camera: not a frame of unit vectors, or an angle "
                                                  "or a plane is out of range; see lobe/ssr.h");
     const lobe_ssr_environment *e = &f->environment;

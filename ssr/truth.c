@@ -138,9 +138,11 @@ lobe_ssr_result lobe_ssr_truth(lobe_ssr_frames *f, lobe_ssr_mode mode, int rays,
 
 /* ---- Judging --------------------------------------------------------------------------------- */
 
-/* How a traced ray ended, against the real one: 0 right, 1 a false hit, 2 a false miss. */
+/* How a traced ray ended, against the real one: 0 right, 1 a false hit, 2 a false miss. *distance: of a right
+ * hit, from the real place in pixels; negative otherwise. */
 static int verdict_of(const lobe_ssr_frames *f, const ssr_camera *c, const real_pixel *p,
-                      const lobe_ssr_ray *ray) {
+                      const lobe_ssr_ray *ray, float *distance) {
+    *distance = -1.0f;
     const v3 direction = ssr_in(ray->direction);
     const int claims = ray->state == LOBE_SSR_HIT || ray->state == LOBE_SSR_SKY;
     lobe_ray_surface met;
@@ -150,9 +152,11 @@ static int verdict_of(const lobe_ssr_frames *f, const ssr_camera *c, const real_
     const int seen = meets ? is_seen(c, f->z, at) : is_sky_seen(c, f->z, direction, &at);
     if (!claims) return seen ? 2 : 0;
     if (!seen || meets != (ray->state == LOBE_SSR_HIT)) return 1;
-    return fabsf(at.x - (float)ray->x - 0.5f) <= 3.0f && fabsf(at.y - (float)ray->y - 0.5f) <= 3.0f
-               ? 0
-               : 1;
+    const float across = fabsf(at.x - (float)ray->x - 0.5f),
+                down = fabsf(at.y - (float)ray->y - 0.5f);
+    if (!(across <= 3.0f && down <= 3.0f)) return 1;
+    *distance = hypotf(across, down);
+    return 0;
 }
 
 static double squared_error(const float *a, const float *b) {
@@ -170,7 +174,7 @@ lobe_ssr_judgement lobe_ssr_judge(const lobe_ssr_frames *f, const lobe_ssr *ssr,
     const ssr_camera c =
         lobe_ssr_camera_of(&f->frame.camera, (float)width, (float)f->options.height);
     lobe_ssr_judgement j = {0};
-    uint64_t rays = 0, verdicts[3] = {0};
+    uint64_t rays = 0, hits = 0, verdicts[3] = {0};
     for (int y = 0; y < f->options.height; y++)
         for (int x = 0; x < width; x++) {
             const size_t pixel = (size_t)y * (size_t)width + (size_t)x;
@@ -185,11 +189,17 @@ lobe_ssr_judgement lobe_ssr_judge(const lobe_ssr_frames *f, const lobe_ssr *ssr,
                 j.pixels_onscreen++;
             }
             if (ray->state == LOBE_SSR_REJECTED) continue;
-            verdicts[verdict_of(f, &c, &p, ray)]++;
+            float distance;
+            verdicts[verdict_of(f, &c, &p, ray, &distance)]++;
+            if (distance >= 0.0f) {
+                j.hit_distance += (double)distance;
+                hits++;
+            }
             rays++;
         }
     j.relmse /= fmax(1.0, (double)j.pixels);
     j.relmse_onscreen /= fmax(1.0, (double)j.pixels_onscreen);
+    j.hit_distance /= fmax(1.0, (double)hits);
     j.false_hits = (double)verdicts[1] / fmax(1.0, (double)rays);
     j.false_misses = (double)verdicts[2] / fmax(1.0, (double)rays);
     return j;

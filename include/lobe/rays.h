@@ -24,6 +24,9 @@ typedef struct lobe_ray_surface {
     lobe_vec3_f32 geometric; /* of the triangle */
     lobe_vec3_f32 f0;        /* reflectance at normal incidence */
     float roughness;         /* perceptual; of an anisotropic surface the one of the mean alpha */
+    float
+        anisotropy; /* alpha is roughness^2 (1 + anisotropy) along the tangent, (1 - anisotropy) across */
+    lobe_vec3_f32 tangent; /* unit, across the shading normal */
 } lobe_ray_surface;
 
 /* The first surface; of those that let light through by their alpha, what stops half of it counts. 0: none. */

@@ -36,6 +36,7 @@ typedef struct lobe_ssr_scene_options {
     uint32_t samples;   /* camera paths a pixel of the colour; 16 */
     float
         roughness; /* of all surfaces in place of their own, perceptual; negative: their own; -1 */
+    float anisotropy;   /* the same; above 1: their own; 2 */
     const char *camera; /* of the scene; NULL: its first */
     uint64_t seed;
     int threads; /* 0: as many as OpenMP offers */
@@ -73,6 +74,7 @@ typedef struct lobe_ssr_judgement {
         relmse_onscreen; /* over those of them whose truth came from the screen for half or more */
     double false_hits;   /* share of the rays that claim to meet what real rays do not, */
     double false_misses; /* and of those that miss what real rays meet on the screen */
+    double hit_distance; /* mean over true hits: pixels between what was met and the real place */
     uint64_t pixels, pixels_onscreen;
 } lobe_ssr_judgement;
 

@@ -29,6 +29,18 @@ LOBE_API int lobe_ssr_read_exr(const char *path, int width, int height, const ch
 LOBE_API lobe_ssr_result lobe_ssr_write_png(const char *path, int width, int height,
                                             const float *rgb, int stride);
 
+/* The same in motion: an animated PNG of pictures that each stay for `milliseconds` (1 to 65535), again and
+ * again. */
+typedef struct lobe_ssr_animation lobe_ssr_animation;
+
+/* *animation is to be finished after LOBE_SSR_OK; otherwise it is NULL. */
+LOBE_API lobe_ssr_result lobe_ssr_animation_begin(const char *path, int width, int height,
+                                                  int milliseconds, lobe_ssr_animation **animation);
+LOBE_API lobe_ssr_result lobe_ssr_animation_add(lobe_ssr_animation *animation, const float *rgb,
+                                                int stride);
+/* Gives the file its name if all went well, and frees the handle (NULL is fine). */
+LOBE_API lobe_ssr_result lobe_ssr_animation_finish(lobe_ssr_animation *animation);
+
 LOBE_END_C
 
 #endif

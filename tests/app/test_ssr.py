@@ -1,10 +1,13 @@
 """lobe ssr from outside: files, statistics, errors. tests/ssr proves the passes themselves."""
 import json
 import os
+import re
 import signal
+import struct
 import subprocess
 import tempfile
 import time
+import zlib
 from pathlib import Path
 from unittest import mock
 
@@ -19,6 +22,7 @@ BAD_VALUES = {
     "--camera": ["nobody"],
     "--spp": ["0", "16777217"],
     "--roughness": ["-0.1", "1.1", "nan"],
+    "--anisotropy": ["-1.1", "1.1", "nan"],
     "--threads": ["0", "1025"],
     "--backend": ["cuda", ""],
     "--mode": ["ggx"],
@@ -30,6 +34,7 @@ BAD_VALUES = {
     "--edge-fade": ["-1"],
     "--min-smoothness": ["0.95"],
     "--accumulation": ["1.5"],
+    "--compare": ["", "newton", "bounded,", "best", ",".join(12 * ["caps"])],
     "--truth-rays": ["0", "8"],
 }
 
@@ -50,7 +55,7 @@ class SsrTest(ProgramTest):
         stats = self.ssr(*ROUGH)
         self.assertEqual({path.name for path in (self.folder / "out").iterdir()},
                          {"stats.json", "frame-0000.exr", "frame-0000.png", "frame-0001.exr",
-                          "frame-0001.png"})
+                          "frame-0001.png", "preview.png"})
         self.assertEqual((self.folder / "out/frame-0001.exr").read_bytes()[:4], b"\x76\x2f\x31\x01")
         self.assertEqual((self.folder / "out/frame-0001.png").read_bytes()[:4], b"\x89PNG")
         frames = stats.pop("frames")
@@ -88,12 +93,49 @@ class SsrTest(ProgramTest):
         second = self.ssr(*ROUGH, "--truth", "--truth-rays", "4")
         self.assertEqual(os.stat(self.folder / "out/truth-0001.exr").st_mtime_ns, written)
         for a, b in zip(first["frames"], second["frames"]):
-            self.assertEqual(set(a["truth"]), {"relmse", "relmse_onscreen", "flip",
-                                               "false_hits", "false_misses"})
+            self.assertEqual(set(a["truth"]), {"relmse", "relmse_onscreen", "flip", "temporal",
+                                               "false_hits", "false_misses", "hit_distance"})
+            self.assertEqual(a["truth"]["temporal"] is None, a["frame"] == 0)
+            self.assertTrue(0 < a["truth"]["hit_distance"] < 3)
             self.assertTrue(0 < a["truth"]["flip"] < 0.5)
             self.assertEqual(a["truth"], b["truth"])
         self.ssr(*ROUGH, "--truth", "--truth-rays", "4", "--seed", "9")
         self.assertNotEqual((self.folder / "out/truth-0001.exr").read_bytes(), truth)
+
+    def test_compares_on_one_page(self):
+        stats = self.ssr(*ROUGH, "--truth", "--truth-rays", "4", "--compare", "bounded,hdrp,ndf")
+        self.assertEqual([one["name"] for one in stats["compared"]], ["bounded", "hdrp", "ndf"])
+        same, hdrp, ndf = (one["frames"] for one in stats["compared"])
+        for a, b in zip(stats["frames"], same):
+            self.assertEqual(a["truth"], b["truth"])
+        self.assertNotEqual(hdrp[1]["truth"], same[1]["truth"])
+        self.assertGreater(ndf[1]["rejected"], same[1]["rejected"])
+        page = (self.folder / "out/report.html").read_text()
+        self.assertFalse(re.search(r'(src|href)="(?!data:)', page))
+        self.assertEqual(page.count("data:image/jpeg"), 2 * (1 + 4 * 3))
+        for name in ("bounded", "hdrp", "ndf", "frame 1", "--truth-rays 4"):
+            self.assertIn(name, page)
+
+    def test_preview_is_an_animated_png(self):
+        self.ssr(*ROUGH)
+        data, at, number, kinds = (self.folder / "out/preview.png").read_bytes(), 8, 0, []
+        while at < len(data):
+            size, kind = struct.unpack_from(">I4s", data, at)
+            body = data[at + 8:at + 8 + size]
+            self.assertEqual(zlib.crc32(kind + body),
+                             struct.unpack_from(">I", data, at + 8 + size)[0])
+            if kind in (b"fcTL", b"fdAT"):
+                self.assertEqual(struct.unpack_from(">I", body)[0], number)
+                number += 1
+            if kind == b"acTL":
+                self.assertEqual(struct.unpack(">II", body), (2, 0))
+            if kind in (b"IDAT", b"fdAT"):
+                pixels = zlib.decompress(body[4 if kind == b"fdAT" else 0:])
+                self.assertEqual(len(pixels), 27 * (3 * 48 + 1))
+            kinds.append(kind)
+            at += size + 12
+        self.assertEqual(kinds, [b"IHDR", b"acTL", b"fcTL", b"IDAT", b"fcTL", b"fdAT",
+                                 b"IEND"])
 
     def test_pictures_do_not_depend_on_threads(self):
         for threads in ("1", "3"):
@@ -118,6 +160,32 @@ class SsrTest(ProgramTest):
                                   (["--method", "horizon", "--as-hdrp", "--linear"], "horizon")):
             stats = self.ssr(*arguments, *ROUGH, "--no-sky")
             self.assertEqual(stats["method"], method)
+
+    def test_a_written_folder_gives_the_same_bits(self):
+        folder = str(self.folder / "gbuffer")
+        stats = self.ssr(*ROUGH, "--write-gbuffer", folder)
+        self.assertEqual({path.name for path in Path(folder).iterdir()},
+                         {"gbuffer.json", "environment.exr", "gbuffer-0000.exr", "gbuffer-0001.exr"})
+        self.done("ssr", folder, "-o", str(self.folder / "again"), *ROUGH)
+        again = json.loads((self.folder / "again/stats.json").read_text())
+        for key in ("width", "height", "method"):
+            self.assertEqual(stats[key], again[key])
+        for picture in ("frame-0000.exr", "frame-0001.exr"):
+            self.assertEqual((self.folder / "out" / picture).read_bytes(),
+                             (self.folder / "again" / picture).read_bytes())
+        for option in ("--size=8x8", "--truth", "--spp=1", "--camera-path=still", "--roughness=0",
+                       "--anisotropy=0", "--write-gbuffer=x"):
+            self.rejected("ssr", folder, "-o", str(self.folder / "again"), option,
+                          where=option.split("=")[0])
+        self.rejected("ssr", folder, "-o", str(self.folder / "again"), "--frames", "3",
+                      where="--frames")
+        (self.folder / "gbuffer/gbuffer-0001.exr").unlink()
+        self.rejected("ssr", folder, "-o", str(self.folder / "again"))
+
+    def test_a_folder_of_something_else(self):
+        self.rejected("ssr", str(self.folder), "-o", str(self.folder / "out"))
+        self.rejected("ssr", "gallery", "-o", str(self.folder / "x"), "--write-gbuffer",
+                      str(self.folder / "x"), where="--write-gbuffer")
 
     def test_one_pixel(self):
         folder = str(self.folder / "one")
