@@ -35,7 +35,7 @@ help:
 	@echo "make demo    render pictures and compare the methods"
 	@echo "make check   every build, check and test"
 	@echo "make bench   time every sampler against its published listing"
-	@echo "make dropin  single files of the samplers in C, GLSL and HLSL"
+	@echo "make dropin  samplers as single files of C, GLSL and HLSL; shaders as SPIR-V"
 	@echo "make horizon-results  measure docs/horizon-results.md (needs python3-numpy)"
 	@echo "make figures  draw every figure of the papers into docs/figures"
 	@echo "make clean   remove build/"

@@ -35,6 +35,13 @@ for file in "$scratch"/*.h; do
     count=$((count + 1))
 done
 
+# The lines of docs/shaders.md.
+sed -n '/^```glsl/,/^```/p' "$tree/docs/shaders.md" | grep -v '^```' >"$scratch/lines.glsl"
+grep -q lobe_ggx_bounded_draw "$scratch/lines.glsl"
+{ printf '#version 450\n#extension GL_GOOGLE_include_directive : require\n'; cat "$scratch/lines.glsl"
+    echo 'void main() {}'; } >"$scratch/e.comp"
+shader "$scratch/e.comp" -I"$scratch"
+
 # What runs as it is: the compiler has made SPIR-V of all of it.
 { cat "$scratch/ssr/passes.hlsl"; echo '[numthreads(1, 1, 1)] void main() {}'; } >"$scratch/d.hlsl"
 shader "$scratch/d.hlsl" -D

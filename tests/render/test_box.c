@@ -74,9 +74,12 @@ static estimate radiance(material m, vec3 direction, int depth, int samples) {
     const coat_table *coats[64];
     assert_true(box->material_count < 64);
     for (uint32_t i = 0; i <= box->material_count; ++i) coats[i] = coat;
-    integrator k = {box,   {.ggx = reflection, .coat = coat, .multiscatter = compensation},
-                    coats, LOBE_HEURISTIC_BALANCE,
-                    depth, depth + 1};
+    integrator k = {.scene = box,
+                    .surface = {.ggx = reflection, .coat = coat, .multiscatter = compensation},
+                    .coats = coats,
+                    .heuristic = LOBE_HEURISTIC_BALANCE,
+                    .depth = depth,
+                    .roulette_depth = depth + 1};
     double sum = 0, squares = 0;
     for (int run = 0; run < RUNS; ++run) {
         double total = 0;
