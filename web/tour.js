@@ -1,5 +1,6 @@
 // The guided tour: seven steps, each a state and the view to look at.
 import { $, say } from "./page.js";
+import { DEFAULTS, format } from "./state.js";
 
 const BASE = { ndf: "ggx", masking: "smith", nt: null, u: "random", n: 4096, seed: 1, show: "both", yaw: 55, pitch: 24, spp: 4 };
 const STEPS = [
@@ -23,7 +24,7 @@ function place(card) {
     for (const lit of document.querySelectorAll(".card.lit")) lit.classList.remove("lit");
     if (!card) return;
     card.classList.add("lit");
-    card.scrollIntoView({ block: "center" });
+    card.scrollIntoView({ block: "start" });
 }
 
 export function startTour(store) {
@@ -53,5 +54,8 @@ export function startTour(store) {
     });
     $("tour").addEventListener("keydown", (event) => { if (event.key === "Escape") $("tour-end").click(); });
     store.listeners.push(update);
+    // a link to a step that says nothing else shows the step's state
+    const { tour } = store.state;
+    if (tour > 0 && format(store.state) === format({ ...DEFAULTS, tour })) go(tour);
     update();
 }
