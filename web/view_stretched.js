@@ -87,7 +87,7 @@ export class StretchedView {
 
     /** What leaves the surface, as a patch of the visible half. */
     region(state) {
-        const { kernel, sheet: { context: c } } = this, { query } = kernel, rings = 24, sectors = 96;
+        const { kernel, sheet: { context: c } } = this, { query } = kernel, rings = 18, sectors = 72;
         this.horizon = this.read(kernel.horizon(0, 0, 1));
         this.tilted = state.nt === null ? null : this.read(kernel.horizon(...direction(state.nt, state.np)));
         kernel.region(rings, sectors);
@@ -105,7 +105,6 @@ export class StretchedView {
                 if (quad.some((p) => p[2] < 0)) continue;
                 c.moveTo(quad[0][0], quad[0][1]);
                 for (let i = 1; i < 4; ++i) c.lineTo(quad[i][0], quad[i][1]);
-                c.closePath();
             }
         c.fill();
     }
