@@ -17,7 +17,7 @@ const STEPS = [
     ["The smallest cap", "view-stretched", { ax: 0.1, ay: 1, theta: 60, phi: 90, a: "bounded", b: "optimal", yaw: 60, pitch: 5 },
         "A cap need not stand upright. The smallest cap around the useful region leans: on this brushed surface it rejects 3 % of the draws, the bounded cap 18 %. The weights are more even for it: see the variance."],
     ["Nothing is rejected", "view-picture", { ax: 0.1, ay: 1, theta: 60, phi: 90, a: "caps", b: "horizon", spp: 4, split: 50 },
-        "Horizon sampling draws from the useful region itself and follows the shadowing too: no sample is lost, and weights are nearly one. Drag the split: the same number of samples left and right. Then read the furnace again, and take the code with you."],
+        "Horizon sampling draws from the useful region itself and follows the shadowing too: no sample is lost, and the weights are nearly equal. Drag the split: the same number of samples left and right. Then read the furnace again, and take the code with you."],
 ];
 
 function place(card) {
