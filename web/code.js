@@ -20,8 +20,8 @@ export function startCode(store, models) {
         for (const k of ["a", "b"]) pressed(`code-${k}`, state.code === k);
         for (const k of ["c", "glsl", "hlsl"]) pressed(`code-${k}`, state.lang === k);
         const kernel = models.kernelOf(state, state[state.code]);
-        const text = assemble(pieces, state.lang, kernel);
         if ($("code").dataset.key === `${kernel}.${state.lang}`) return;
+        const text = assemble(pieces, state.lang, kernel);
         $("code").dataset.key = `${kernel}.${state.lang}`;
         $("code").textContent = text;
         $("code").scrollTop = 0;

@@ -21,32 +21,27 @@ export function program(gl, vertex, fragment) {
     return { program: p, at: names };
 }
 
-/** Vertices of `parts` numbers at location 0, of a size that never changes. */
-export class Vertices {
-    constructor(gl, capacity, parts) {
-        Object.assign(this, { gl, parts, array: gl.createVertexArray(), buffer: gl.createBuffer() });
-        this.data = new Float32Array(capacity * parts);
-        gl.bindVertexArray(this.array);
-        gl.bindBuffer(gl.ARRAY_BUFFER, this.buffer);
-        gl.bufferData(gl.ARRAY_BUFFER, this.data.byteLength, gl.DYNAMIC_DRAW);
-        gl.enableVertexAttribArray(0);
-        gl.vertexAttribPointer(0, parts, gl.FLOAT, false, 0, 0);
+class Buffers {
+    constructor(gl) {
+        this.gl = gl;
+        this.array = gl.createVertexArray();
         this.count = 0;
-    }
-
-    indices(list) {
-        const { gl } = this;
         gl.bindVertexArray(this.array);
-        gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer());
-        gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, list, gl.STATIC_DRAW);
-        this.indexed = list.length;
     }
 
-    write(count) {
-        const { gl } = this;
-        this.count = count;
-        gl.bindBuffer(gl.ARRAY_BUFFER, this.buffer);
-        gl.bufferSubData(gl.ARRAY_BUFFER, 0, this.data.subarray(0, count * this.parts));
+    /** A buffer of `bytes`, read at a location. */
+    buffer(location, parts, bytes) {
+        const { gl } = this, buffer = gl.createBuffer();
+        gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
+        gl.bufferData(gl.ARRAY_BUFFER, bytes, gl.DYNAMIC_DRAW);
+        gl.enableVertexAttribArray(location);
+        gl.vertexAttribPointer(location, parts, gl.FLOAT, false, 0, 0);
+        return buffer;
+    }
+
+    fill(buffer, data) {
+        this.gl.bindBuffer(this.gl.ARRAY_BUFFER, buffer);
+        this.gl.bufferSubData(this.gl.ARRAY_BUFFER, 0, data);
     }
 
     draw(mode) {
@@ -54,5 +49,36 @@ export class Vertices {
         gl.bindVertexArray(this.array);
         if (this.indexed) gl.drawElements(mode, this.indexed, gl.UNSIGNED_INT, 0);
         else if (this.count) gl.drawArrays(mode, 0, this.count);
+    }
+}
+
+/** Points (x, y, z) at location 0. */
+export class Points extends Buffers {
+    constructor(gl, capacity) {
+        super(gl);
+        this.data = new Float32Array(3 * capacity);
+        this.own = this.buffer(0, 3, this.data.byteLength);
+    }
+
+    write(count) {
+        this.count = count;
+        this.fill(this.own, this.data.subarray(0, 3 * count));
+    }
+}
+
+/** Four numbers a vertex, each from an array of its own: as the library has them. */
+export class Columns extends Buffers {
+    constructor(gl, capacity, indices) {
+        super(gl);
+        this.own = [0, 1, 2, 3].map((location) => this.buffer(location, 1, 4 * capacity));
+        if (!indices) return;
+        gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer());
+        gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, indices, gl.STATIC_DRAW);
+        this.indexed = indices.length;
+    }
+
+    write(columns, count) {
+        this.count = count;
+        columns.forEach((column, k) => this.fill(this.own[k], column.subarray(0, count)));
     }
 }

@@ -1,5 +1,6 @@
 // The guided tour: seven steps, each a state and the view to look at.
 import { $, say } from "./page.js";
+import { DEFAULTS, format } from "./state.js";
 
 const BASE = { ndf: "ggx", masking: "smith", nt: null, u: "random", n: 4096, seed: 1, show: "both", yaw: 55, pitch: 24, spp: 4 };
 const STEPS = [
@@ -16,14 +17,14 @@ const STEPS = [
     ["The smallest cap", "view-stretched", { ax: 0.1, ay: 1, theta: 60, phi: 90, a: "bounded", b: "optimal", yaw: 60, pitch: 5 },
         "A cap need not stand upright. The smallest cap around the useful region leans: on this brushed surface it rejects 3 % of the draws, the bounded cap 18 %. The weights are more even for it: see the variance."],
     ["Nothing is rejected", "view-picture", { ax: 0.1, ay: 1, theta: 60, phi: 90, a: "caps", b: "horizon", spp: 4, split: 50 },
-        "Horizon sampling draws from the useful region itself and follows the shadowing too: no sample is lost, and weights are nearly one. Drag the split: the same number of samples left and right. Then read the furnace again, and take the code with you."],
+        "Horizon sampling draws from the useful region itself and follows the shadowing too: no sample is lost, and the weights are nearly equal. Drag the split: the same number of samples left and right. Then read the furnace again, and take the code with you."],
 ];
 
 function place(card) {
     for (const lit of document.querySelectorAll(".card.lit")) lit.classList.remove("lit");
     if (!card) return;
     card.classList.add("lit");
-    card.scrollIntoView({ block: "center" });
+    card.scrollIntoView({ block: "start" });
 }
 
 export function startTour(store) {
@@ -53,5 +54,8 @@ export function startTour(store) {
     });
     $("tour").addEventListener("keydown", (event) => { if (event.key === "Escape") $("tour-end").click(); });
     store.listeners.push(update);
+    // a link to a step that says nothing else shows the step's state
+    const { tour } = store.state;
+    if (tour > 0 && format(store.state) === format({ ...DEFAULTS, tour })) go(tour);
     update();
 }

@@ -2,7 +2,7 @@
 import { $, colours } from "./page.js";
 import { Sheet, word } from "./canvas.js";
 
-const LINES = 10, STEPS = 160;
+const LINES = 10, STEPS = 96;
 
 export class GridView {
     constructor(store, kernel) {

@@ -40,12 +40,12 @@ export class NumbersView {
     plot(found, shares) {
         const { sheet } = this, [w, h] = sheet.begin(), em = colours.size, height = h / 2 - 2.7 * em;
         const top = Math.max(...found.map((f) => f.share + 2 * f.shareError), 0.02);
-        this.strip([1.4 * em, 1.3 * em, w - 2.8 * em, height], 0, top * 1.1, "rejected share",
+        this.strip([1.4 * em, 1.3 * em, w - 2.8 * em, height], 0, Math.min(top * 1.1, 1.02), "rejected share",
             found.map((f) => [f.share, f.shareError]), shares);
         const low = Math.min(...found.map((f) => f.mean - 4 * f.meanError), this.exact || 1);
         const high = Math.max(...found.map((f) => f.mean + 4 * f.meanError), this.exact || 0);
         const margin = Math.max(0.15 * (high - low), 1e-3);
-        this.strip([1.4 * em, h / 2 + 1.3 * em, w - 2.8 * em, height], low - margin, high + margin, "white furnace",
+        this.strip([1.4 * em, h / 2 + 1.3 * em, w - 2.8 * em, height], Math.max(low - margin, 0), high + margin, "white furnace",
             found.map((f) => [f.mean, f.meanError]), [this.exact, NaN]);
     }
 

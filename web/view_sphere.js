@@ -1,27 +1,28 @@
 // The sphere of directions: the surface of each method's density, its draws, and the directions one can drag.
 import { $, colours, pressed, rgb } from "./page.js";
-import { program, Vertices } from "./gl.js";
+import { Columns, Points, program } from "./gl.js";
 import { cameraOf, onSphere, seen, turnByDrag } from "./camera.js";
 import { anglesOf, direction } from "./models.js";
 
-const RINGS = 56, SECTORS = 112, MESH = (RINGS + 1) * (SECTORS + 1);
+const RINGS = 44, SECTORS = 96, MESH = (RINGS + 1) * (SECTORS + 1);
 const LINES = 4096;
 
 // positions are seen orthographically; uScale fits the sphere into the canvas
 const PLACE = `
 uniform vec3 uRight, uUp, uToward; uniform vec2 uScale;
 vec4 place(vec3 p) { return vec4(uScale * vec2(dot(uRight, p), dot(uUp, p)), -0.4 * dot(uToward, p), 1.0); }`;
+const COLUMNS = "layout(location = 0) in float x; layout(location = 1) in float y; layout(location = 2) in float z; layout(location = 3) in float w;";
 const LINE = [`${PLACE} layout(location = 0) in vec3 p; out float front;
 void main() { front = dot(uToward, p); gl_Position = place(p); }`,
 `in float front; uniform vec4 uColour; out vec4 c;
 void main() { c = uColour * vec4(1, 1, 1, front < -0.001 ? 0.35 : 1.0); c.rgb *= c.a; }`];
-const DOTS = [`${PLACE} layout(location = 0) in vec4 p; uniform float uSize; out float front; out float left;
-void main() { front = dot(uToward, p.xyz); left = p.w; gl_Position = place(p.xyz); gl_PointSize = p.w > 0.0 ? uSize : uSize * 1.3; }`,
+const DOTS = [`${PLACE} ${COLUMNS} uniform float uSize; out float front; out float left;
+void main() { vec3 p = vec3(x, y, z); front = dot(uToward, p); left = w; gl_Position = place(p); gl_PointSize = w > 0.0 ? uSize : uSize * 1.3; }`,
 `in float front; in float left; uniform vec4 uColour; out vec4 c;
 void main() { float r = length(2.0 * gl_PointCoord - 1.0); if (r > 1.0 || (left == 0.0 && r < 0.45)) discard;
   c = uColour; c.a *= front < 0.0 ? 0.4 : 1.0; c.rgb *= c.a; }`];
-const SURFACE = [`${PLACE} uniform float uGain; layout(location = 0) in vec3 p; out vec3 q;
-void main() { q = uGain * p; gl_Position = place(q); }`,
+const SURFACE = [`${PLACE} ${COLUMNS} uniform float uGain; out vec3 q;
+void main() { q = uGain * w * vec3(x, y, z); gl_Position = place(q); }`,
 `in vec3 q; uniform vec4 uColour; uniform vec3 uToward, uRight, uUp; out vec4 c;
 void main() { vec3 n = normalize(cross(dFdx(q), dFdy(q))); if (dot(n, uToward) < 0.0) n = -n;
   float light = 0.5 + 0.5 * max(dot(n, normalize(uToward + 0.5 * uUp - 0.4 * uRight)), 0.0);
@@ -65,13 +66,9 @@ export class SphereView {
         this.lineProgram = program(gl, ...LINE);
         this.dotProgram = program(gl, ...DOTS);
         this.surfaceProgram = program(gl, ...SURFACE);
-        this.lines = new Vertices(gl, LINES, 3);
-        this.dots = [0, 1].map(() => new Vertices(gl, this.kernel.rows, 4));
-        this.surfaces = [0, 1].map(() => {
-            const s = new Vertices(gl, MESH, 3);
-            s.indices(meshIndices());
-            return s;
-        });
+        this.lines = new Points(gl, LINES);
+        this.dots = [0, 1].map(() => new Columns(gl, this.kernel.rows));
+        this.surfaces = [0, 1].map(() => new Columns(gl, MESH, meshIndices()));
     }
 
     /** The handle of the direction: drag it, or move it by keys. */
@@ -119,36 +116,13 @@ export class SphereView {
         if (!this.gl) return;
         const { kernel, store: { state } } = this;
         for (let method = 0; method < 2; ++method) {
-            this.readDots(method, state.n);
+            const { wo, pdf } = kernel.draws[method];
+            this.dots[method].write([...wo, pdf], state.n);
             kernel.mesh(method, RINGS, SECTORS);
-            this.peaks[method] = this.readMesh(method);
+            this.surfaces[method].write([...kernel.query, kernel.answer[0]], MESH);
+            this.peaks[method] = kernel.answer[0].subarray(0, MESH).reduce((a, b) => Math.max(a, b), 1e-30);
         }
         this.makeLines(state);
-    }
-
-    readDots(method, n) {
-        const { wo, pdf } = this.kernel.draws[method], target = this.dots[method].data;
-        for (let k = 0, at = 0; k < n; ++k, at += 4) {
-            target[at] = wo[0][k];
-            target[at + 1] = wo[1][k];
-            target[at + 2] = wo[2][k];
-            target[at + 3] = pdf[k] > 0 ? 1 : 0;
-        }
-        this.dots[method].write(n);
-    }
-
-    readMesh(method) {
-        const { query, answer } = this.kernel, target = this.surfaces[method].data;
-        let peak = 1e-30;
-        for (let k = 0, at = 0; k < MESH; ++k, at += 3) {
-            const r = answer[0][k];
-            if (r > peak) peak = r;
-            target[at] = r * query[0][k];
-            target[at + 1] = r * query[1][k];
-            target[at + 2] = r * query[2][k];
-        }
-        this.surfaces[method].write(MESH);
-        return peak;
     }
 
     /** Segments: surface and meridians; then axis and directions. */
@@ -287,6 +261,6 @@ export class SphereView {
         const handle = $("direction");
         handle.classList.toggle("behind", place("direction", this.wi(), 1) < 0);
         handle.setAttribute("aria-valuenow", String(Math.round(state.theta)));
-        handle.setAttribute("aria-valuetext", `theta ${state.theta}°, phi ${state.phi}°`);
+        handle.setAttribute("aria-valuetext", `theta ${Math.round(state.theta * 10) / 10}°, phi ${Math.round(state.phi * 10) / 10}°`);
     }
 }

@@ -40,7 +40,7 @@ export class StretchedView {
 
     draw() {
         const { sheet, store: { state } } = this, [w, h] = sheet.begin();
-        this.radius = Math.min(w, h) / 2 - 1.1 * colours.size;
+        this.radius = (Math.min(w, h) / 2 - 0.7 * colours.size) / 1.08;
         this.camera = cameraOf(state);
         this.at = (v) => {
             const p = seen(this.camera, v);
@@ -87,7 +87,7 @@ export class StretchedView {
 
     /** What leaves the surface, as a patch of the visible half. */
     region(state) {
-        const { kernel, sheet: { context: c } } = this, { query } = kernel, rings = 24, sectors = 72;
+        const { kernel, sheet: { context: c } } = this, { query } = kernel, rings = 18, sectors = 72;
         this.horizon = this.read(kernel.horizon(0, 0, 1));
         this.tilted = state.nt === null ? null : this.read(kernel.horizon(...direction(state.nt, state.np)));
         kernel.region(rings, sectors);
@@ -105,7 +105,6 @@ export class StretchedView {
                 if (quad.some((p) => p[2] < 0)) continue;
                 c.moveTo(quad[0][0], quad[0][1]);
                 for (let i = 1; i < 4; ++i) c.lineTo(quad[i][0], quad[i][1]);
-                c.closePath();
             }
         c.fill();
     }
@@ -149,7 +148,7 @@ export class StretchedView {
         kernel.stretch_wi();
         const i = Array.from(kernel.result.subarray(0, 3));
         for (const [v, label] of [[[0, 0, 1], "z"], [i, "î"]]) {
-            const tip = this.at(v), out = this.at(v.map((x) => 1.1 * x));
+            const tip = this.at(v), out = this.at(v.map((x) => 1.07 * x));
             sheet.line(2, (k) => k ? tip : centre, { colour: colours.ink, width: 1.4 });
             const c = sheet.context;
             c.beginPath();
