@@ -554,11 +554,9 @@ lobe_app_status lobe_app_ssr(int argc, char **argv) {
         "ssr",
         "SCENE|FOLDER -o DIR [OPTIONS]",
         "Reflections from the depth and colour of frames: rays through the depth buffer. The "
-        "frames "
-        "are of\na scene, along a path of the camera, or in a folder: docs/gbuffer.md.\n"
+        "frames are\nof a scene, along a path of the camera, or in a folder: docs/gbuffer.md.\n"
         "DIR gets frame-0000.exr and .png, preview.png and stats.json; with --truth the error "
-        "against "
-        "real rays, and\nreport.html.",
+        "against\nreal rays, and report.html.",
         "SCENE",
         groups,
         "lobe ssr gallery -o reflections --min-smoothness 0.4 --truth"};

@@ -21,7 +21,8 @@ const char *lobe_explore_error_message(void) {
 
 lobe_explore_result lobe_explore_check_page(void) {
     if (lobe_page_count > 0) return LOBE_EXPLORE_OK;
-    return lobe_explore_fail(LOBE_EXPLORE_FAILED,
-                             "explore: built without the page, for there was no compiler for "
-                             "WebAssembly; install clang, lld, wasi-libc and libclang-rt-dev-wasm32, and build again");
+    return lobe_explore_fail(
+        LOBE_EXPLORE_FAILED,
+        "explore: built without the page, for there was no compiler for "
+        "WebAssembly; install clang, lld, wasi-libc and libclang-rt-dev-wasm32, and build again");
 }

@@ -74,7 +74,7 @@ class RanksTest(FolderTest):
         with subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
                               env=environment) as process:
             for line in process.stderr:
-                if line.startswith(b"{") and json.loads(line)["samples"] > 0:
+                if line.startswith(b"{") and json.loads(line).get("samples", 0) > 0:
                     break
             os.kill(ranks_under(process.pid)[1], signal.SIGKILL)
             process.stderr.read()
