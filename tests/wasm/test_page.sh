@@ -11,7 +11,7 @@ done
 node "$here/state.mjs" "$scratch"
 "$here/files.py" >"$scratch/files.json"
 node "$here/code.mjs" "$scratch/files.json" "$1" "$scratch"
-sed 's/static/Static/' "$scratch/dropin.mjs" >"$scratch/x" && mv "$scratch/x" "$scratch/dropin.mjs"
+sed 's/int32_t/int64_t/' "$scratch/dropin.mjs" >"$scratch/x" && mv "$scratch/x" "$scratch/dropin.mjs"
 if node "$here/code.mjs" "$scratch/files.json" "$1" "$scratch" >/dev/null; then
     echo "code: a changed word was not seen"
     exit 1
