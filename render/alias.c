@@ -24,22 +24,22 @@ static void pair_up(alias_table *table, double *scaled, uint32_t *stack) {
 }
 
 int lobe_alias_create(alias_table *table, const double *weights, uint32_t count) {
-    *table = (alias_table){NULL, count};
+    *table = (alias_table){NULL, NULL, count};
     double sum = 0.0;
     for (uint32_t i = 0; i < count; i++) sum += weights[i];
     if (!(sum > 0.0)) return 1;
     double *scaled = malloc(count * sizeof *scaled);
     uint32_t *stack = malloc(count * sizeof *stack);
     table->cells = malloc(count * sizeof *table->cells);
-    int ok = scaled && stack && table->cells;
+    table->shares = malloc(count * sizeof *table->shares);
+    int ok = scaled && stack && table->cells && table->shares;
     if (ok) {
         for (uint32_t i = 0; i < count; i++) {
             scaled[i] = weights[i] / sum * count;
-            table->cells[i] = (alias_cell){1.0f, i, (float)(weights[i] / sum), 0.0f};
+            table->cells[i] = (alias_cell){1.0f, i};
+            table->shares[i] = (float)(weights[i] / sum);
         }
         pair_up(table, scaled, stack);
-        for (uint32_t i = 0; i < count; i++)
-            table->cells[i].other_share = table->cells[table->cells[i].other].share;
     } else {
         lobe_alias_free(table);
     }
@@ -50,5 +50,7 @@ int lobe_alias_create(alias_table *table, const double *weights, uint32_t count)
 
 void lobe_alias_free(alias_table *table) {
     free(table->cells);
+    free(table->shares);
     table->cells = NULL;
+    table->shares = NULL;
 }

@@ -14,7 +14,7 @@ clearcoat lobe_clearcoat_at(const lobe_reflection_options *ggx, const coat_table
     const float reflects = share * lobe_coat_albedo(&at, wi);
     c.keeps = 1.0f - reflects;
     c.probability = c.ggx.is_valid
-                        ? clampf(reflects / fmaxf(reflects + c.keeps * below, 1e-6f), 0.1f, 0.9f)
+                        ? clampf(reflects / maxf(reflects + c.keeps * below, 1e-6f), 0.1f, 0.9f)
                         : 0.0f;
     return c;
 }

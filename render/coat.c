@@ -40,7 +40,7 @@ static float row_roughness(float row) {
 
 /* Columns of t and of t/(t + roughness), added. */
 static float column_of(float cosine, float roughness) {
-    float t = sqrtf(fminf(fabsf(cosine), 1.0f));
+    float t = sqrtf(minf(fabsf(cosine), 1.0f));
     float position = 0.5f * t * (1.0f + (1.0f + roughness) / (t + roughness));
     return (float)COAT_BEHIND +
            copysignf(position, cosine) * (cosine < 0.0f ? COAT_BEHIND : COAT_FRONT);
@@ -53,7 +53,7 @@ static float column_cosine(int column, float roughness) {
     float b = 0.5f + roughness - position;
     float root = sqrtf(b * b + 2.0f * position * roughness);
     float t = b > 0.0f ? 2.0f * position * roughness / (b + root) : root - b;
-    return copysignf(fminf(t * t, 1.0f), (float)offset);
+    return copysignf(minf(t * t, 1.0f), (float)offset);
 }
 
 static float albedo_of(lobe_microsurface s, const coat *c, float x, float y, float z) {
@@ -95,7 +95,7 @@ static void fill(lobe_microsurface s, const coat *c, int column, float albedo[CO
 
 /* By how much a parabola through three even values lies above its chords near the middle one. */
 static float sag(float before, float here, float after) {
-    return fmaxf(here - 0.5f * (before + after), 0.0f) / 4.0f;
+    return maxf(here - 0.5f * (before + after), 0.0f) / 4.0f;
 }
 
 /* That along one axis of the table; an end takes its neighbour's. */
@@ -120,7 +120,7 @@ static void raise(coat_table *table, const coat_table *raw, int row, int ratio,
             if (has_anisotropy)
                 sum += 1.5f * (sag_along(here, ratio, 0, COAT_RATIOS - 1, RATIO) +
                                sag_along(here, a, 0, COAT_AZIMUTHS - 1, 1));
-            table->albedo[row][ratio][c][a] = fminf(*here + sum, 1.0f);
+            table->albedo[row][ratio][c][a] = minf(*here + sum, 1.0f);
         }
     }
 }
@@ -228,8 +228,8 @@ coat lobe_coat_at(const coat_table *table, const lobe_reflection_f32 *ggx) {
     coat c = {.table = table, .alpha_x = ggx->alpha_x, .alpha_y = ggx->alpha_y};
     float mean = sqrtf(0.5f * (c.alpha_x + c.alpha_y));
     c.is_mirror = ggx->is_mirror;
-    c.wide = sqrtf(fmaxf(c.alpha_x, c.alpha_y));
-    c.narrow = sqrtf(fminf(c.alpha_x, c.alpha_y));
+    c.wide = sqrtf(maxf(c.alpha_x, c.alpha_y));
+    c.narrow = sqrtf(minf(c.alpha_x, c.alpha_y));
     c.row = row_of(mean);
     c.ratio = 1.0f;
     if (c.wide > c.narrow)
@@ -239,7 +239,7 @@ coat lobe_coat_at(const coat_table *table, const lobe_reflection_f32 *ggx) {
 
 /* A position on an axis of `count` nodes: the node below and the share of the one above. */
 static int place(float position, int count, float *share) {
-    int node = (int)fminf(fmaxf(position, 0.0f), (float)(count - 2));
+    int node = (int)minf(maxf(position, 0.0f), (float)(count - 2));
     *share = position - (float)node;
     return node;
 }
@@ -259,9 +259,21 @@ static float mix_face(const float face[COAT_COLUMNS][COAT_AZIMUTHS], int column,
     return mix(mix(low[0], low[1], around), mix(high[0], high[1], around), across);
 }
 
+/* Of equal roughnesses: the last ratio and the first azimuth, nothing to interpolate there. */
+static float albedo_of_round(const coat *c, float z) {
+    float along, across;
+    const int row = place(c->row * (COAT_ROWS - 1), COAT_ROWS, &along);
+    const int column = place(column_of(z, c->wide), COAT_COLUMNS, &across);
+    const float(*low)[COAT_AZIMUTHS] = c->table->albedo[row][COAT_RATIOS - 1];
+    const float(*high)[COAT_AZIMUTHS] = c->table->albedo[row + 1][COAT_RATIOS - 1];
+    return mix(mix(low[column][0], low[column + 1][0], across),
+               mix(high[column][0], high[column + 1][0], across), along);
+}
+
 float lobe_coat_albedo(const coat *c, vec3 direction) {
     if (c->is_mirror && direction.z > 0.0f)
         return lobe_fresnel_dielectric_f32(c->table->ior, direction.z);
+    if (c->ratio == 1.0f && c->wide == c->narrow) return albedo_of_round(c, direction.z);
     float toward = roughness_toward(c, direction), width = c->wide - c->narrow;
     float turn = width > 0.0f ? (toward - c->narrow) / width : 0.0f;
     float along, aside, across, around;
@@ -289,7 +301,7 @@ float lobe_coat_average(const coat *c) {
 
 /* share (t + (1 - t) (F - f0)/(1 - f0)) with t = min(f0 color, 1): `one` is negative where the colour is dark. */
 static void tint_channel(float f0, float share, float color, float *one, float *own) {
-    float tinted = fminf(f0 * color, 1.0f), scale = share / (1.0f - f0);
+    float tinted = minf(f0 * color, 1.0f), scale = share / (1.0f - f0);
     *one = scale * (tinted - f0);
     *own = scale * (1.0f - tinted);
 }

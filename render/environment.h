@@ -6,8 +6,14 @@
 #include "alias.h"
 #include "image.h"
 
+typedef struct sky_texel {
+    vec3 radiance;
+    float share; /* probability of drawing it: of one line of the cache with what it shines */
+} sky_texel;
+
 typedef struct environment {
-    image picture;
+    int width, height;
+    sky_texel *texels; /* rows from the top */
     alias_table table;
     float sine, cosine;    /* of the rotation about +Y */
     float texels_per_turn; /* their number over 2 pi^2: makes a density of a share */
@@ -34,6 +40,8 @@ typedef struct sky_draw {
     float pdf;
 } sky_draw;
 
+/* Asks for the memory that a draw begins with. */
+void lobe_environment_prefetch(const environment *e, const uint32_t bits[3]);
 sky_draw lobe_environment_draw(const environment *e, const uint32_t bits[3]);
 
 #endif

@@ -11,7 +11,7 @@ static float sheet_factor(const glass_options *o, const glass *g) {
     if (!o->compensate || g->sheet.is_mirror) return 1.0f;
     lobe_albedo_f32 albedo = lobe_albedo_prepare_f32(o->ggx.model.ndf, o->ggx.model.masking,
                                                      o->ggx.g2, g->sheet.alpha_x, g->sheet.alpha_y);
-    return 1.0f / fmaxf(1.0f - lobe_albedo_missing_f32(&albedo, g->sheet.wi), 1e-3f);
+    return 1.0f / maxf(1.0f - lobe_albedo_missing_f32(&albedo, g->sheet.wi), 1e-3f);
 }
 
 static void prepare_sheet(const glass_options *o, glass *g, vec3 wi) {
@@ -113,7 +113,7 @@ static glass_draw draw_walk(const glass *g) {
     glass_draw draw = {.direction = frame_to_world(&g->frame, wo)};
     if (walk.bounces == 0 || !is_proper(g, draw.direction, is_transmitted)) return draw;
     const float once = lobe_dielectric_eval_wo_f32(&g->solid, wo).pdf;
-    draw.pdf = fmaxf(walk_density(g, wo, once), 1e-30f);
+    draw.pdf = maxf(walk_density(g, wo, once), 1e-30f);
     draw.weight = walk_color(g, is_transmitted);
     return draw;
 }

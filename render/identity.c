@@ -38,10 +38,10 @@ static XXH64_hash_t hash_textures(const lobe_scene *s) {
 
 static XXH64_hash_t hash_sky(const lobe_scene *s) {
     if (!s->has_sky) return 0;
-    const image *p = &s->sky.picture;
-    const float turn[2] = {s->sky.sine, s->sky.cosine};
-    const XXH64_hash_t hash = XXH3_64bits_withSeed(turn, sizeof turn, (XXH64_hash_t)p->width);
-    return XXH3_64bits_withSeed(p->pixels, (size_t)p->width * (size_t)p->height * sizeof *p->pixels,
+    const environment *e = &s->sky;
+    const float turn[2] = {e->sine, e->cosine};
+    const XXH64_hash_t hash = XXH3_64bits_withSeed(turn, sizeof turn, (XXH64_hash_t)e->width);
+    return XXH3_64bits_withSeed(e->texels, (size_t)e->width * (size_t)e->height * sizeof *e->texels,
                                 hash);
 }
 

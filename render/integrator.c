@@ -37,9 +37,17 @@ static vec3 sample_map(const lobe_scene *s, const texture_map *map, const hit_po
     return lobe_texture_at(&s->textures[map->texture], map, h->u[map->uv_set], h->v[map->uv_set]);
 }
 
+static int is_coloured(const vertex *v) {
+    return (v->darkening[0] | v->darkening[1] | v->darkening[2]) != 0;
+}
+
 /* What the colours of the vertices take away. */
-static vec3 darkening_of(const vertex *v) {
-    return v3(v->darkening[0] / 65535.0f, v->darkening[1] / 65535.0f, v->darkening[2] / 65535.0f);
+static vec3 darkening_at(const vertex *a, const vertex *b, const vertex *c, float u, float v) {
+    if (!is_coloured(a) && !is_coloured(b) && !is_coloured(c)) return v3_all(0.0f);
+    const vec3 sum = hit_mean(v3(a->darkening[0], a->darkening[1], a->darkening[2]),
+                              v3(b->darkening[0], b->darkening[1], b->darkening[2]),
+                              v3(c->darkening[0], c->darkening[1], c->darkening[2]), u, v);
+    return v3_scale(sum, 1.0f / 65535.0f);
 }
 
 static vec3 base_color_at(const lobe_scene *s, const hit_point *h) {
@@ -78,6 +86,29 @@ static vec3 mapped_normal(const lobe_scene *s, const hit_point *h, const texture
     return v3_normalize_or(frame_to_world(f, local), f->z);
 }
 
+/* The frames of a triangle that is seen, its geometric normal turned to the viewer. A surface that is the same all
+ * around needs no tangent. */
+static void add_frames(const lobe_scene *s, hit_point *h, vec3 normal, vec3 tangent) {
+    const material *m = h->material;
+    const float side = h->is_back ? -1.0f : 1.0f;
+    if (!m->has_direction) {
+        const vec3 z = v3_scale(normal, side), x = v3_across(z);
+        h->smooth.z = normal;
+        h->shading = (frame){x, v3_cross(z, x), z};
+        return;
+    }
+    h->smooth = frame_of(normal, tangent);
+    const vec3 mapped = mapped_normal(s, h, &m->normal_map, m->normal_scale);
+    h->shading = frame_of(v3_scale(mapped, side), tangent);
+}
+
+static vec3 emission_at(const lobe_scene *s, const hit_point *h) {
+    const material *m = h->material;
+    if (m->is_unlit) return base_color_at(s, h);
+    if (!(v3_max(m->emission) > 0.0f)) return v3_all(0.0f);
+    return v3_mul(m->emission, sample_map(s, &m->emission_map, h, v3_all(1.0f)));
+}
+
 static hit_point hit_point_of(const lobe_scene *s, const ray_hit *hit, vec3 direction) {
     const hit_geometry g = hit_geometry_of(s, hit);
     const triangle *t = g.triangle;
@@ -92,20 +123,15 @@ static hit_point hit_point_of(const lobe_scene *s, const ray_hit *hit, vec3 dire
     h.v[0] = w * a->v + u * b->v + v * c->v;
     h.u[1] = w * a->u1 + u * b->u1 + v * c->u1;
     h.v[1] = w * a->v1 + u * b->v1 + v * c->v1;
-    h.darkening = hit_mean(darkening_of(a), darkening_of(b), darkening_of(c), u, v);
+    h.darkening = darkening_at(a, b, c, u, v);
     /* surfaces are two-sided: both normals turn with the side that is seen */
     float side = v3_dot(g.face, direction) > 0.0f ? -1.0f : 1.0f;
     h.geometric = v3_scale(g.face, side);
-    h.smooth = frame_of(v3_normalize_or(g.normal, g.face), g.tangent);
     h.handedness = g.handedness;
-    vec3 mapped = mapped_normal(s, &h, &h.material->normal_map, h.material->normal_scale);
-    h.shading = frame_of(v3_scale(mapped, side), g.tangent);
     h.turn = side * g.handedness;
     h.is_back = side < 0.0f;
-    h.emission = h.material->is_unlit
-                     ? base_color_at(s, &h)
-                     : v3_mul(h.material->emission,
-                              sample_map(s, &h.material->emission_map, &h, v3_all(1.0f)));
+    add_frames(s, &h, v3_normalize_or(g.normal, g.face), g.tangent);
+    h.emission = emission_at(s, &h);
     return h;
 }
 
@@ -120,7 +146,7 @@ static void stretch(const lobe_scene *s, const hit_point *h, frame *shading, flo
     const float across = (m->stretch_y * x + m->stretch_x * y) * h->turn;
     *shading =
         frame_of(shading->z, v3_add(v3_scale(shading->x, along), v3_scale(shading->y, across)));
-    const float alpha_y = fmaxf(*roughness * *roughness, 0.001f);
+    const float alpha_y = maxf(*roughness * *roughness, 0.001f);
     const float alpha_x = alpha_y + (1.0f - alpha_y) * strength * strength;
     *roughness = sqrtf(0.5f * (alpha_x + alpha_y));
     *anisotropy = (alpha_x - alpha_y) / (alpha_x + alpha_y);
@@ -151,6 +177,7 @@ static void add_clearcoat(const path *p, const hit_point *h, vec3 to_viewer, sur
 static coat_tint tint_at(const lobe_scene *s, const hit_point *h) {
     const material *m = h->material;
     const texture_map *map = &m->specular_map;
+    if (map->texture == NO_TEXTURE && m->specular_color_map.texture == NO_TEXTURE) return m->tint;
     float share = m->specular;
     if (map->texture != NO_TEXTURE)
         share *= lobe_texture_alpha_at(&s->textures[map->texture], map, h->u[map->uv_set],
@@ -165,9 +192,14 @@ typedef struct layers {
     clearcoat clearcoat;
 } layers;
 
-static surface surface_of(const path *p, const hit_point *h, vec3 to_viewer, layers *room) {
+static void surface_of(const path *p, const hit_point *h, vec3 to_viewer, surface *s,
+                       layers *room) {
     const integrator *k = p->k;
     const material *m = h->material;
+    if (m->is_matte) {
+        lobe_surface_make_matte(s, h->shading, h->geometric, base_color_at(k->scene, h));
+        return;
+    }
     uint64_t random = 0;
     if (k->surface.multiscatter == LOBE_MULTISCATTER_WALK) {
         const sampler_point point = lobe_sampler_next(p->points);
@@ -184,12 +216,12 @@ static surface surface_of(const path *p, const hit_point *h, vec3 to_viewer, lay
     float roughness = m->roughness * packed.y, anisotropy = m->anisotropy;
     if (m->stretch > 0.0f) stretch(k->scene, h, &shading, &roughness, &anisotropy);
     /* of what is not glass, the same amount is metal */
-    if (transmission > 0.0f) metallic /= fmaxf(1.0f - transmission, 1e-6f);
+    if (transmission > 0.0f) metallic /= maxf(1.0f - transmission, 1e-6f);
     surface_options options = k->surface;
     options.coat = k->coats[h->triangle->material];
     options.tint = tint_at(k->scene, h);
-    surface s = lobe_surface_at(&options, shading, h->geometric, to_viewer, base_color,
-                                fminf(metallic, 1.0f), roughness, anisotropy, random);
+    lobe_surface_make(s, &options, shading, h->geometric, to_viewer, base_color,
+                      minf(metallic, 1.0f), roughness, anisotropy, random);
     if (transmission > 0.0f) {
         float alpha = roughness * roughness;
         glass_material g = {transmission,
@@ -198,10 +230,9 @@ static surface surface_of(const path *p, const hit_point *h, vec3 to_viewer, lay
                             base_color,
                             alpha * (1.0f + anisotropy),
                             alpha * (1.0f - anisotropy)};
-        lobe_surface_add_glass(&s, &room->glass, &k->surface, g, to_viewer, h->is_back);
+        lobe_surface_add_glass(s, &room->glass, &k->surface, g, to_viewer, h->is_back);
     }
-    add_clearcoat(p, h, to_viewer, &s, &room->clearcoat);
-    return s;
+    add_clearcoat(p, h, to_viewer, s, &room->clearcoat);
 }
 
 /* Share of a sample of density a when b could have made it too. */
@@ -221,9 +252,9 @@ static float sky_probability(const lobe_scene *s) {
 static float lamp_pdf(const lobe_scene *s, const hit_point *h, vec3 direction) {
     int32_t light = h->triangle->light;
     if (light < 0 || !s->light_table.cells) return 0.0f;
-    float share = s->light_table.cells[light].share * (1.0f - sky_probability(s));
+    float share = s->light_table.shares[light] * (1.0f - sky_probability(s));
     float cosine = fabsf(v3_dot(h->geometric, direction));
-    return share * h->distance * h->distance / fmaxf(s->light_areas[light] * cosine, 1e-20f);
+    return share * h->distance * h->distance / maxf(s->light_areas[light] * cosine, 1e-20f);
 }
 
 /* Light met by the path itself, weighed against having drawn it as a lamp. */
@@ -249,7 +280,7 @@ static void add_sky(path *p) {
 
 /* A place off the surface, on the side of the viewer or beyond, so that a ray does not meet it again. */
 static vec3 lift(const hit_point *h, int is_beyond) {
-    float size = fmaxf(fabsf(h->position.x), fmaxf(fabsf(h->position.y), fabsf(h->position.z)));
+    float size = maxf(fabsf(h->position.x), maxf(fabsf(h->position.y), fabsf(h->position.z)));
     float height = 2e-5f * (size + h->distance);
     return v3_add(h->position, v3_scale(h->geometric, is_beyond ? -height : height));
 }
@@ -290,15 +321,15 @@ static light_sample shine(const lamp *l, vec3 from) {
     const vec3 to = v3_sub(l->position, from);
     d.distance = v3_length(to);
     d.direction = v3_normalize_or(to, v3(0.0f, 1.0f, 0.0f));
-    float share = 1.0f / fmaxf(d.distance * d.distance, 1e-20f);
+    float share = 1.0f / maxf(d.distance * d.distance, 1e-20f);
     if (l->range > 0.0f) {
         const float ratio = d.distance / l->range, square = ratio * ratio;
         share *= clampf(1.0f - square * square, 0.0f, 1.0f);
     }
     if (l->kind == LAMP_SPOT) {
         const float cosine = -v3_dot(d.direction, l->direction);
-        const float edge = clampf(
-            (cosine - l->cos_outer) / fmaxf(l->cos_inner - l->cos_outer, 0.001f), 0.0f, 1.0f);
+        const float edge =
+            clampf((cosine - l->cos_outer) / maxf(l->cos_inner - l->cos_outer, 0.001f), 0.0f, 1.0f);
         share *= edge * edge;
     }
     d.radiance = v3_scale(d.radiance, share);
@@ -306,13 +337,11 @@ static light_sample shine(const lamp *l, vec3 from) {
 }
 
 static light_sample draw_lamp(const lobe_scene *s, vec3 from, sampler_point point) {
-    const float rest =
-        (float)((uint32_t)((uint64_t)point.bits[1] * s->light_table.count) >> 8) * 0x1p-24f;
-    const alias_choice choice = alias_draw(&s->light_table, point.bits[1], rest);
-    const uint32_t light = choice.index;
+    const uint32_t light = alias_draw(&s->light_table, point.bits[1]);
+    const float probability = s->light_table.shares[light];
     if (light >= s->light_count) {
         light_sample l = shine(&s->lamps[light - s->light_count], from);
-        l.pdf = choice.share;
+        l.pdf = probability;
         return l;
     }
     const triangle *t = &s->triangles[s->lights[light]];
@@ -325,7 +354,7 @@ static light_sample draw_lamp(const lobe_scene *s, vec3 from, sampler_point poin
     l.direction = v3_normalize_or(to, v3(0.0f, 1.0f, 0.0f));
     vec3 normal = v3_normalize_or(v3_cross(v3_sub(b, a), v3_sub(c, a)), l.direction);
     float cosine = fabsf(v3_dot(normal, l.direction));
-    l.pdf = choice.share * l.distance * l.distance / fmaxf(s->light_areas[light] * cosine, 1e-20f);
+    l.pdf = probability * l.distance * l.distance / maxf(s->light_areas[light] * cosine, 1e-20f);
     l.radiance = s->materials[t->material].emission;
     return l;
 }
@@ -369,9 +398,9 @@ static float transmittance(path *p, vec3 from, vec3 direction, float distance) {
 }
 
 /* Next-event estimation. */
-static void add_drawn_light(path *p, const hit_point *h, const surface *surface) {
+static void add_drawn_light(path *p, const hit_point *h, const surface *surface,
+                            sampler_point point) {
     const lobe_scene *s = p->k->scene;
-    sampler_point point = lobe_sampler_next(p->points);
     if (p->k->heuristic == LOBE_HEURISTIC_BSDF_ONLY) return;
     /* the base below a coat that is a mirror still sees the lamps */
     if (lobe_surface_is_clear(surface)) return;
@@ -393,11 +422,20 @@ static void add_drawn_light(path *p, const hit_point *h, const surface *surface)
     p->sample.radiance = v3_add(p->sample.radiance, v3_scale(light, share / l.pdf));
 }
 
+/* The random numbers of a light, ahead of their use: what they choose is far away in memory. */
+static sampler_point begin_light(path *p) {
+    const sampler_point point = lobe_sampler_next(p->points);
+    const lobe_scene *s = p->k->scene;
+    if (s->has_sky && s->sky.table.cells) lobe_environment_prefetch(&s->sky, point.bits + 1);
+    return point;
+}
+
 static void keep_first_hit(path *p, const hit_point *h, const surface *surface) {
     p->sample.albedo = surface->base_color;
     p->sample.normal = h->shading.z;
     p->sample.depth = h->distance;
-    p->sample.vndf_integral = lobe_reflection_vndf_integral_f32(&surface->ggx);
+    if (p->k->keeps_vndf_integral && !surface->is_matte)
+        p->sample.vndf_integral = lobe_reflection_vndf_integral_f32(&surface->ggx);
 }
 
 static void go_on(path *p, const hit_point *h, const surface *surface, vec3 direction) {
@@ -427,7 +465,7 @@ static int scatter(path *p, const hit_point *h, const surface *surface, int scat
     p->pdf = d.is_mirror ? INFINITY : d.pdf;
     go_on(p, h, surface, d.direction);
     if (scatterings < p->k->roulette_depth) return v3_max(p->throughput) > 0.0f;
-    float survival = fminf(v3_max(p->throughput) * p->spread, 0.95f);
+    float survival = minf(v3_max(p->throughput) * p->spread, 0.95f);
     if (!(sampler_unit(point.bits[3]) < survival)) return 0;
     p->throughput = v3_scale(p->throughput, 1.0f / survival);
     return 1;
@@ -441,7 +479,7 @@ static int meet_surface(path *p, ray_hit *hit) {
         note_ray(p, p->origin, p->direction, near, INFINITY,
                  p->is_camera ? RAY_CAMERA : RAY_BOUNCE);
         if (!lobe_tracer_nearest(s->tracer, p->origin, p->direction, near, INFINITY, hit)) return 0;
-        const float opacity = opacity_at(s, hit);
+        const float opacity = s->is_opaque ? 1.0f : opacity_at(s, hit);
         if (opacity >= 1.0f) return 1;
         if (opacity > 0.0f && sampler_unit(lobe_sampler_next(p->points).bits[0]) < opacity)
             return 1;
@@ -459,6 +497,7 @@ film_sample lobe_trace_path(const integrator *k, vec3 origin, vec3 direction, sa
               .spread = 1.0f,
               .is_camera = 1,
               .sample.vndf_integral = 1.0f};
+    surface s;
     layers room;
     for (int scatterings = 0;; scatterings++) {
         ray_hit hit;
@@ -466,16 +505,17 @@ film_sample lobe_trace_path(const integrator *k, vec3 origin, vec3 direction, sa
             add_sky(&p);
             break;
         }
+        const sampler_point light = begin_light(&p);
         hit_point h = hit_point_of(k->scene, &hit, p.direction);
         /* a camera inside */
         if (!p.inside && h.is_back && is_solid(h.material)) p.inside = h.material;
         if (p.inside)
             p.throughput = absorbed(p.inside, p.throughput, v3_length(v3_sub(h.position, p.place)));
         add_met_light(&p, h.emission, lamp_pdf(k->scene, &h, p.direction));
-        surface s = surface_of(&p, &h, v3_neg(p.direction), &room);
+        surface_of(&p, &h, v3_neg(p.direction), &s, &room);
         if (scatterings == 0) keep_first_hit(&p, &h, &s);
         if (scatterings == k->depth || h.material->is_unlit) break;
-        add_drawn_light(&p, &h, &s);
+        add_drawn_light(&p, &h, &s, light);
         if (!scatter(&p, &h, &s, scatterings + 1)) break;
     }
     *rays += p.rays;

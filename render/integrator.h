@@ -14,7 +14,8 @@ typedef struct integrator {
     const coat_table *const *coats; /* after the last material's, that of COAT_IOR */
     lobe_heuristic heuristic;
     int depth, roulette_depth;
-    ray_log *log; /* of a single thread; NULL: rays are not noted */
+    int keeps_vndf_integral; /* of the first surface */
+    ray_log *log;            /* of a single thread; NULL: rays are not noted */
 } integrator;
 
 /* `rays` is raised by the rays traced. */

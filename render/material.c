@@ -1,18 +1,21 @@
 #include "material.h"
 
+#include "circle.h"
+
 /* Of an index that is high F dips on the way to the horizon: a dark tint could take more than there is. */
 static vec3 coat_fresnel(const surface *s, float cosine) {
     vec3 own = v3_scale(s->tint.own, lobe_fresnel_dielectric_f32(s->ior, cosine));
     vec3 f = v3_scale(v3_add(s->tint.one, own), 1.0f - s->metallic);
-    return v3(fmaxf(f.x, 0.0f), fmaxf(f.y, 0.0f), fmaxf(f.z, 0.0f));
+    return v3(maxf(f.x, 0.0f), maxf(f.y, 0.0f), maxf(f.z, 0.0f));
 }
 
 static vec3 fresnel(const surface *s, float cosine) {
-    vec3 coat = coat_fresnel(s, cosine);
-    vec3 f0 = s->base_color;
-    vec3 metal = {lobe_fresnel_schlick_f32(f0.x, cosine), lobe_fresnel_schlick_f32(f0.y, cosine),
-                  lobe_fresnel_schlick_f32(f0.z, cosine)};
-    return v3_add(v3_scale(v3_mul(metal, s->factor), s->metallic), coat);
+    if (!(s->metallic > 0.0f)) return coat_fresnel(s, cosine);
+    /* Schlick's of a black metal: what every colour has of white */
+    const float white = lobe_fresnel_schlick_f32(0.0f, cosine);
+    const vec3 metal = v3_mul(v3_lerp(s->base_color, v3_all(1.0f), white), s->factor);
+    if (s->metallic >= 1.0f) return metal;
+    return v3_add(v3_scale(metal, s->metallic), coat_fresnel(s, cosine));
 }
 
 /* The albedo of the coat toward a local direction, and its average, in the channel that reflects most. */
@@ -75,15 +78,15 @@ static float specular_probability(const surface *s, float coat_i, float rest) {
     float specular = s->metallic * base + (1.0f - s->metallic) * coat_i;
     float diffuse = (1.0f - s->metallic) * base * (1.0f - coat_i) + rest;
     if (!(specular > 0.0f) && diffuse > 0.0f) return 0.0f;
-    return clampf(specular / fmaxf(specular + diffuse, 1e-6f), 0.1f, 1.0f);
+    return clampf(specular / maxf(specular + diffuse, 1e-6f), 0.1f, 1.0f);
 }
 
 /* A metal that walks beside a coat and its base: the three in proportion to what they reflect. */
 static void share_walks(surface *s, float coat_i) {
     float base = v3_luminance(s->base_color), rest = 1.0f - s->metallic;
     float metal = s->metallic * base, diffuse = rest * base * (1.0f - coat_i);
-    s->walks = clampf(metal / fmaxf(metal + rest * coat_i + diffuse, 1e-6f), 0.1f, 0.9f);
-    s->specular = clampf(rest * coat_i / fmaxf(rest * coat_i + diffuse, 1e-6f), 0.1f, 1.0f);
+    s->walks = clampf(metal / maxf(metal + rest * coat_i + diffuse, 1e-6f), 0.1f, 0.9f);
+    s->specular = clampf(rest * coat_i / maxf(rest * coat_i + diffuse, 1e-6f), 0.1f, 1.0f);
 }
 
 /* A metal smoother than this rejects so little that the picture does not show it. */
@@ -101,35 +104,50 @@ static lobe_method method_of(lobe_method asked, float metallic, float alpha, flo
     return tilt_cosine < TILT_COSINE ? LOBE_METHOD_HORIZON_UNIFORM : LOBE_METHOD_HORIZON;
 }
 
-surface lobe_surface_at(const surface_options *options, frame shading, vec3 geometric,
-                        vec3 to_viewer, vec3 base_color, float metallic, float roughness,
-                        float anisotropy, uint64_t random) {
-    surface s = {.frame = shading,
-                 .geometric = geometric,
-                 .base_color = base_color,
-                 .metallic = metallic,
-                 .ior = options->coat->ior,
-                 .tint = options->tint,
-                 .walk_seed = random,
-                 .ndf = options->ggx.model.ndf,
-                 .masking = options->ggx.model.masking};
-    lobe_vec3_f32 wi = frame_to_local(&shading, to_viewer);
-    float alpha = roughness * roughness;
-    vec3 plane = frame_to_local(&shading, geometric);
+void lobe_surface_make(surface *s, const surface_options *options, frame shading, vec3 geometric,
+                       vec3 to_viewer, vec3 base_color, float metallic, float roughness,
+                       float anisotropy, uint64_t random) {
+    s->frame = shading;
+    s->geometric = geometric;
+    s->is_matte = 0;
+    s->base_color = base_color;
+    s->metallic = metallic;
+    s->ior = options->coat->ior;
+    s->tint = options->tint;
+    s->base_share_i = 0.0f;
+    s->albedo.is_valid = 0;
+    s->walks = s->walk_once = 0.0f;
+    s->walk_seed = random;
+    s->ndf = options->ggx.model.ndf;
+    s->masking = options->ggx.model.masking;
+    s->glass = NULL;
+    s->clearcoat = NULL;
+    const vec3 wi = frame_to_local(&shading, to_viewer);
+    const float alpha = roughness * roughness;
+    const vec3 plane = frame_to_local(&shading, geometric);
     lobe_reflection_options ggx = options->ggx;
     ggx.model.method = method_of(ggx.model.method, metallic, alpha, plane.z);
-    s.ggx = lobe_reflection_prepare_above_f32(ggx, wi, alpha * (1.0f + anisotropy),
-                                              alpha * (1.0f - anisotropy), plane);
-    float rest = compensate(&s, options->multiscatter, &options->ggx);
-    s.specular = rest > 0.0f ? specular_probability(&s, 0.0f, rest) : 1.0f;
-    if (metallic >= 1.0f) return s;
-    s.coat = lobe_coat_at(options->coat, &s.ggx);
-    if (s.tint.most_one != 0.0f && !s.albedo.is_valid) s.albedo = albedo_of(&s, &options->ggx);
-    float coat_i = coat_albedo(&s, wi);
-    s.base_share_i = (1.0f - metallic) * (1.0f - coat_i) / (LOBE_PI * (1.0f - coat_average(&s)));
-    s.specular = specular_probability(&s, coat_i, rest);
-    if (s.walks > 0.0f) share_walks(&s, coat_i);
-    return s;
+    s->ggx = lobe_reflection_prepare_above_f32(ggx, wi, alpha * (1.0f + anisotropy),
+                                               alpha * (1.0f - anisotropy), plane);
+    const float rest = compensate(s, options->multiscatter, &options->ggx);
+    s->specular = rest > 0.0f ? specular_probability(s, 0.0f, rest) : 1.0f;
+    if (metallic >= 1.0f) return;
+    s->coat = lobe_coat_at(options->coat, &s->ggx);
+    if (s->tint.most_one != 0.0f && !s->albedo.is_valid) s->albedo = albedo_of(s, &options->ggx);
+    const float coat_i = coat_albedo(s, wi);
+    s->base_share_i = (1.0f - metallic) * (1.0f - coat_i) / (LOBE_PI * (1.0f - coat_average(s)));
+    s->specular = specular_probability(s, coat_i, rest);
+    if (s->walks > 0.0f) share_walks(s, coat_i);
+}
+
+void lobe_surface_make_matte(surface *s, frame shading, vec3 geometric, vec3 base_color) {
+    s->frame = shading;
+    s->geometric = geometric;
+    s->is_matte = 1;
+    s->base_color = base_color;
+    s->walks = 0.0f;
+    s->glass = NULL;
+    s->clearcoat = NULL;
 }
 
 enum { WALK_BOUNCES = 1000 };
@@ -189,6 +207,7 @@ void lobe_surface_add_clearcoat(surface *s, clearcoat *room, const surface_optio
 }
 
 static int is_clear_below(const surface *s) {
+    if (s->is_matte) return 0;
     float share = glass_share(s);
     if (share > 0.0f && !lobe_glass_is_clear(s->glass)) return 0;
     return share >= 1.0f || (s->ggx.is_mirror && s->specular >= 1.0f);
@@ -233,6 +252,10 @@ static vec3 opaque_value(const surface *s, vec3 direction, float *pdf) {
     *pdf = 0.0f;
     vec3 wo = frame_to_local(&s->frame, direction);
     if (!leaves(s, wo, direction)) return v3_all(0.0f);
+    if (s->is_matte) {
+        *pdf = wo.z / LOBE_PI;
+        return v3_scale(s->base_color, *pdf);
+    }
     ggx_value ggx = ggx_at(s, wo);
     float beside;
     vec3 value = value_beside(s, wo, ggx, &beside);
@@ -292,10 +315,15 @@ static surface_draw draw_ggx(const surface *s, float u1, float u2, float u3) {
 }
 
 static surface_draw draw_base(const surface *s, float u1, float u2) {
-    float radius = sqrtf(u1), angle = 2.0f * LOBE_PI * u2;
-    vec3 wo = {radius * cosf(angle), radius * sinf(angle), sqrtf(1.0f - u1)};
+    float radius = sqrtf(u1), sine, cosine;
+    circle_at(u2, &sine, &cosine);
+    vec3 wo = {radius * cosine, radius * sine, sqrtf(1.0f - u1)};
     vec3 direction = frame_to_world(&s->frame, wo);
-    return leaves(s, wo, direction) ? weigh(s, direction, wo, ggx_at(s, wo), 0) : rejected(0);
+    if (!leaves(s, wo, direction)) return rejected(0);
+    if (s->is_matte)
+        return (surface_draw){
+            .direction = direction, .weight = s->base_color, .pdf = wo.z / LOBE_PI};
+    return weigh(s, direction, wo, ggx_at(s, wo), 0);
 }
 
 static surface_draw draw_walk(const surface *s) {
@@ -311,11 +339,12 @@ static surface_draw draw_walk(const surface *s) {
     float beside = s->specular * pdf + (1.0f - s->specular) * wo.z / LOBE_PI;
     return (surface_draw){.direction = direction,
                           .weight = color_of(weights, s->metallic / s->walks),
-                          .pdf = fmaxf(density(s, pdf, wo, beside), 1e-30f),
+                          .pdf = maxf(density(s, pdf, wo, beside), 1e-30f),
                           .is_ggx = 1};
 }
 
 static surface_draw draw_opaque(const surface *s, float choice, float u1, float u2) {
+    if (s->is_matte) return draw_base(s, u1, u2);
     if (choice < s->walks) return draw_walk(s);
     /* what is left of a choice is a number of its own */
     choice = (choice - s->walks) / (1.0f - s->walks);

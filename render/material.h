@@ -24,8 +24,9 @@
 #include "lobe/walk.h"
 
 typedef struct surface {
-    frame frame;             /* shading */
-    vec3 geometric;          /* normal, toward the viewer */
+    frame frame;    /* shading */
+    vec3 geometric; /* normal, toward the viewer */
+    int is_matte;   /* Lambert's, of base_color; nothing below but walks, glass, clearcoat is set */
     lobe_reflection_f32 ggx; /* wi is in the shading frame */
     vec3 base_color;
     float metallic;
@@ -62,9 +63,12 @@ typedef struct surface_options {
 } surface_options;
 
 /* `to_viewer`: unit, world, on the front of `geometric`. `random`: of the walks. */
-surface lobe_surface_at(const surface_options *options, frame shading, vec3 geometric,
-                        vec3 to_viewer, vec3 base_color, float metallic, float roughness,
-                        float anisotropy, uint64_t random);
+void lobe_surface_make(surface *s, const surface_options *options, frame shading, vec3 geometric,
+                       vec3 to_viewer, vec3 base_color, float metallic, float roughness,
+                       float anisotropy, uint64_t random);
+
+/* A base alone: as a metallic of 0 and a tint of nothing make it, at a small part of the price. */
+void lobe_surface_make_matte(surface *s, frame shading, vec3 geometric, vec3 base_color);
 
 /* Puts glass in place of a share of a surface; what was there stays as the rest. It is kept in `room`,
  * which few surfaces need and all would pay for. */

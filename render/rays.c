@@ -24,7 +24,7 @@ lobe_render_result lobe_rays_create(const lobe_scene *scene, lobe_rays **rays) {
     r->integrator = (integrator){scene,   {.ggx = o.reflection, .multiscatter = o.multiscatter},
                                  coats,   o.heuristic,
                                  o.depth, o.roulette_depth,
-                                 NULL};
+                                 0,       NULL};
     *rays = r;
     return LOBE_RENDER_OK;
 }

@@ -345,6 +345,7 @@ static lobe_render_result render_with(const coat_table *const *coats, const lobe
                                 options->heuristic,
                                 options->depth,
                                 options->roulette_depth,
+                                (options->aovs & LOBE_AOV_BIT(LOBE_AOV_VNDF_INTEGRAL)) != 0,
                                 log};
     char identity[IDENTITY_ROOM] = "";
     lobe_render_result result = aim(&j);

@@ -360,6 +360,14 @@ static void fill_info(lobe_scene *s) {
     s->info.tree_bytes = lobe_tracer_bytes(s->tracer, &s->info.tree_peak_bytes);
 }
 
+void lobe_material_settle(material *m) {
+    m->tint = lobe_coat_tint(m->ior, m->specular, m->specular_color);
+    m->has_direction = m->normal_map.texture != NO_TEXTURE || m->anisotropy != 0.0f ||
+                       m->stretch > 0.0f || m->clearcoat > 0.0f;
+    m->is_matte = m->metallic == 0.0f && m->specular == 0.0f && m->transmission == 0.0f &&
+                  m->clearcoat == 0.0f;
+}
+
 static int has_anisotropy(const lobe_scene *s) {
     for (uint32_t i = 0; i < s->material_count; i++)
         if (s->materials[i].anisotropy != 0.0f || s->materials[i].stretch > 0.0f) return 1;
@@ -427,6 +435,7 @@ static lobe_render_result finish(lobe_scene *s, const lobe_scene_options *option
     result = build_tree(s, options);
     if (result != LOBE_RENDER_OK) return result;
     s->has_anisotropy = has_anisotropy(s);
+    for (uint32_t i = 0; i < s->material_count; i++) lobe_material_settle(&s->materials[i]);
     if (s->warnings.failed) return LOBE_RENDER_BAD_INPUT;
     fill_info(s);
     return LOBE_RENDER_OK;

@@ -35,6 +35,10 @@ typedef struct material {
     texture_map base_map, normal_map, surface_map, emission_map, stretch_map, transmission_map,
         specular_map, specular_color_map, clearcoat_map, clearcoat_roughness_map,
         clearcoat_normal_map;
+    /* what follows from all above: lobe_material_settle */
+    coat_tint tint;    /* where no texture varies it */
+    int has_direction; /* it looks different when it is turned about its normal: it needs a tangent */
+    int is_matte;      /* a base without a coat, and nothing else */
 } material;
 
 typedef struct vertex {
@@ -136,6 +140,8 @@ lobe_render_result lobe_scene_import(lobe_scene *s, const char *path,
                                      const lobe_scene_options *options);
 lobe_render_result lobe_scene_import_gltf(lobe_scene *s, const char *path,
                                           const lobe_scene_options *options);
+
+void lobe_material_settle(material *m);
 
 /* What a file without materials gets, from the options. */
 material lobe_fallback_material(const lobe_scene_options *options);

@@ -61,8 +61,17 @@ static inline vec3 v3_normalize_or(vec3 a, vec3 fallback) {
     return v3_scale(a, 1.0f / sqrtf(squared));
 }
 
+/* The larger and the smaller one without a call; of a NaN and b it is b. */
+static inline float maxf(float a, float b) {
+    return a > b ? a : b;
+}
+
+static inline float minf(float a, float b) {
+    return a < b ? a : b;
+}
+
 static inline float v3_max(vec3 a) {
-    return fmaxf(a.x, fmaxf(a.y, a.z));
+    return maxf(a.x, maxf(a.y, a.z));
 }
 
 static inline int v3_is_finite(vec3 a) {
@@ -75,7 +84,7 @@ static inline float v3_luminance(vec3 a) {
 }
 
 static inline float clampf(float x, float low, float high) {
-    return fminf(fmaxf(x, low), high);
+    return minf(maxf(x, low), high);
 }
 
 typedef struct frame {

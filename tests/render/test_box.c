@@ -67,6 +67,7 @@ static estimate radiance(material m, vec3 direction, int depth, int samples) {
     m.specular = 1.0f;
     m.specular_color = v3_all(1.0f);
     m.emission = v3_all(1.0f);
+    lobe_material_settle(&m);
     for (uint32_t i = 0; i < box->material_count; ++i) box->materials[i] = m;
     lobe_reflection_options reflection = lobe_reflection_default_options();
     const coat_table *coat = lobe_coat_table(reflection.model.ndf, reflection.model.masking,

@@ -19,8 +19,10 @@ static surface surface_of(const coat_table *table, float roughness, float anisot
     frame shading = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     double plane = sqrt(1 - cosine * cosine);
     vec3 wi = {(float)(plane * cos(azimuth)), (float)(plane * sin(azimuth)), (float)cosine};
-    return lobe_surface_at(&options, shading, shading.z, wi, v3_all(color), 0.0f, roughness,
-                           anisotropy, 0);
+    surface s;
+    lobe_surface_make(&s, &options, shading, shading.z, wi, v3_all(color), 0.0f, roughness,
+                      anisotropy, 0);
+    return s;
 }
 
 static double value(const surface *s, double x, double y, double z) {
