@@ -133,7 +133,7 @@ def bsdf(roughness, grey):
 
 
 def write_mitsuba(parts, environment, folder):
-    """Mitsuba's panorama has its middle where ours has its left edge a quarter on: it is turned."""
+    """Mitsuba has a direction of a panorama a quarter of a turn on: it is turned back."""
     eye, target = (", ".join(map(str, v)) for v in (EYE, TARGET))
     text = [f'<scene version="3.0.0"><integrator type="path"><integer name="max_depth" value="{DEPTH + 1}"/>'
             '<integer name="rr_depth" value="5"/></integrator>',
@@ -142,7 +142,7 @@ def write_mitsuba(parts, environment, folder):
             f'<film type="hdrfilm"><integer name="width" value="{WIDTH}"/><integer name="height" value="{HEIGHT}"/>'
             '<rfilter type="box"/></film><sampler type="independent"/></sensor>',
             f'<emitter type="envmap"><string name="filename" value="{environment.name}"/>'
-            '<transform name="to_world"><rotate y="1" angle="-90"/></transform></emitter>']
+            '<transform name="to_world"><rotate y="1" angle="90"/></transform></emitter>']
     for name, roughness, grey, (places, normals, triangles) in parts:
         write_ply(places, normals, triangles, folder / f"{name}.ply")
         surface = bsdf(roughness, grey)
