@@ -3,8 +3,7 @@
  *     cc -O2 -ffp-contract=off -Iinclude -I. tools/numerics/albedo_table.c -lm -o albedo_table
  *     ./albedo_table > albedo_table.inc && mv albedo_table.inc lib/      # 12 seconds of processor time
  *
- * The same bytes from every compiler and on every machine; `house.tables` compares them. The layout is that of
- * lib/albedo_table.h. */
+ * gcc and clang make the same bytes (compare with `cmp`). The layout is that of lib/albedo_table.h. */
 #include "albedo_rays.h"
 
 #include "lib/albedo_table.h"
