@@ -41,7 +41,7 @@ async function addViews(store, kernel, models, views) {
     const slow = new Slow(models, store, (data, fresh) => {
         if (data.kind === "integrals") {
             histogram.take(data.expected, fresh);
-            numbers.exact = data.albedo;
+            if (fresh) numbers.exact = data.albedo;
             views.touch("view-histogram", "view-numbers");
         } else if (data.kind === "rows") picture.take(data.first, data.count, data.rows);
         else if (data.kind === "noise") picture.noise(data.noise, data.spp);
@@ -50,6 +50,7 @@ async function addViews(store, kernel, models, views) {
     store.listeners.push((changed) => {
         if (any(changed, SCENE)) {
             histogram.age();
+            numbers.age();
             slow.ask({ integrals: true, picture: any(changed, ["ax", "ay", "ndf", "masking", "a", "b"]) });
         }
         if (any(changed, ["seed", "spp"])) slow.ask({ picture: true });

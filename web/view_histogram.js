@@ -21,7 +21,7 @@ export class HistogramView {
         });
     }
 
-    /** Something has changed: until there are new integrals, the old line stays and no test is made. */
+    /** Something has changed: until there are new integrals, the old line stays, faint, and no test is made. */
     age() {
         this.fresh = false;
     }
@@ -61,9 +61,11 @@ export class HistogramView {
                 c.fillRect(x0, y, x1 - x0, plot.y(0) - y);
             }
         }
+        c.globalAlpha = this.fresh ? 1 : 0.3;
         for (const k of methods)
             this.sheet.line(count, (i) => [plot.x(axis.low + (i + 0.5) * width), plot.y(this.expected[k][first + i] / width)],
                 { colour: colours["ab"[k]], width: 1.8, dash: k ? [5, 3] : [] });
+        c.globalAlpha = 1;
     }
 
     chi(method, state) {

@@ -19,6 +19,11 @@ export class NumbersView {
         Object.assign(this, { store, kernel, sheet: new Sheet($("numbers")), exact: NaN });
     }
 
+    /** Something has changed: an exact value of another surface is not shown. */
+    age() {
+        this.exact = NaN;
+    }
+
     draw() {
         const { kernel, store: { state } } = this, found = [];
         for (let method = 0; method < 2; ++method) {
@@ -42,8 +47,8 @@ export class NumbersView {
         const top = Math.max(...found.map((f) => f.share + 2 * f.shareError), 0.02);
         this.strip([1.4 * em, 1.3 * em, w - 2.8 * em, height], 0, Math.min(top * 1.1, 1.02), "rejected share",
             found.map((f) => [f.share, f.shareError]), shares);
-        const low = Math.min(...found.map((f) => f.mean - 4 * f.meanError), this.exact || 1);
-        const high = Math.max(...found.map((f) => f.mean + 4 * f.meanError), this.exact || 0);
+        const low = Math.min(...found.map((f) => f.mean - 4 * f.meanError), this.exact || Infinity);
+        const high = Math.max(...found.map((f) => f.mean + 4 * f.meanError), this.exact || -Infinity);
         const margin = Math.max(0.15 * (high - low), 1e-3);
         this.strip([1.4 * em, h / 2 + 1.3 * em, w - 2.8 * em, height], Math.max(low - margin, 0), high + margin, "white furnace",
             found.map((f) => [f.mean, f.meanError]), [this.exact, NaN]);
