@@ -157,19 +157,23 @@ K_FN v3 dielectric_half_vector(dielectric_side s, v3 i, v3 o) {
     return v3_select(o.z < R(0.0), refract_half_vector(s.n, i, o), v3_add(i, o));
 }
 
-/* The facet of a half vector takes the direction that is given instead of the one it would compute. */
+/* The facet of a half vector takes the direction that is given instead of the one it would compute. Whether
+ * anything passes is for that one to say, too: next to the critical angle i alone may see total reflection. */
 K_FN dielectric_facet dielectric_facet_toward(dielectric_side s, dielectric_facet f, v3 o) {
     bool below = o.z < R(0.0);
     real cos_om = v3_dot(o, f.m);
     refract_light known = refract_toward(s.n, f.cos_im, cos_om);
-    bool bent = k_and(below, k_and(!k_is(s.straight), cos_om < R(0.0)));
+    bool leaves = k_and(below, cos_om < R(0.0));
+    bool bent = k_and(leaves, !k_is(s.straight));
+    bool faces = k_and(k_is(s.valid), k_and(f.cos_im > R(0.0), f.m.z > R(0.0)));
     f.light.g = k_select(bent, known.g, f.light.g);
     f.light.bend = k_select(bent, known.bend, f.light.bend);
     f.light.transmittance = k_select(bent, known.transmittance, f.light.transmittance);
     f.reflected = v3_select(below, f.reflected, o);
     f.passing = v3_select(below, o, f.passing);
     f.reflects = k_and(f.reflects, f.reflected.z > R(0.0));
-    f.passes = k_and(f.passes, v3_dot(f.passing, f.m) < R(0.0));
+    bool bends = k_and(k_and(faces, leaves), f.light.transmittance > R(0.0));
+    f.passes = k_or(bends, k_and(!below, f.passes));
     return f;
 }
 

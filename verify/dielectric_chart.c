@@ -66,8 +66,11 @@ static double refraction_direction(const void *self, lobe_disk_point point, doub
     return stretched * normals * bend * bend / (eta * g);
 }
 
+/* A direction rounded to just outside, in single precision, belongs to the edge: for an index near 1 what is left of
+ * both directions in their half vector is not much more than their rounding. */
 static int refraction_point(const void *self, const double wo[3], lobe_disk_point *point) {
     const lobe_refraction_chart *chart = self;
+    const double slack = 4 * 0x1p-24 * (chart->n_i + chart->n_o);
     if (!(wo[2] < 0) || chart->n_i == chart->n_o) return 0;
     double excess = chart->n_o - chart->n_i;
     double m[3];
@@ -75,12 +78,14 @@ static int refraction_point(const void *self, const double wo[3], lobe_disk_poin
         m[k] = chart->n_i * (chart->wi[k] + wo[k]) + excess * wo[k];
         if (excess > 0) m[k] = -m[k];
     }
-    if (!(m[2] > 0) || !(dot(m, chart->wi) > 0) || !(dot(m, wo) < 0)) return 0;
+    if (!(m[2] > -slack) || !(dot(m, chart->wi) > -slack) || !(dot(m, wo) < slack)) return 0;
+    m[2] = fmax(m[2], 0);
     m[0] /= chart->alpha[0];
     m[1] /= chart->alpha[1];
     normalize(m);
     double x = fmin(fmax(dot(m, chart->axis[0]), -1), 1);
     double y = (dot(m, chart->axis[1]) - (1 - chart->stretch) * sqrt(1 - x * x)) / chart->stretch;
+    y = fmin(fmax(y, -sqrt(1 - x * x)), sqrt(1 - x * x));
     *point = (lobe_disk_point){x, y, sqrt(fmax(1 - x * x - y * y, 0))};
     return 1;
 }
