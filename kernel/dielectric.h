@@ -129,6 +129,10 @@ K_FN refract_light dielectric_light(dielectric_side s, real cos_im) {
     return light;
 }
 
+K_FN bool dielectric_faces(dielectric_side s, dielectric_facet f) {
+    return k_and(k_is(s.valid), k_and(f.cos_im > R(0.0), f.m.z > R(0.0)));
+}
+
 /* The two directions; the family adds densities and shadowing. */
 K_FN dielectric_facet dielectric_facet_of(dielectric_side s, v3 i, v3 m) {
     dielectric_facet f;
@@ -138,7 +142,7 @@ K_FN dielectric_facet dielectric_facet_of(dielectric_side s, v3 i, v3 m) {
     f.reflected = v3_sub(v3_scale(m, R(2.0) * f.cos_im), i);
     v3 ahead = v3_scale(i, R(-1.0));
     f.passing = v3_select(k_is(s.straight), ahead, refract_out(s.n, f.light, i, m));
-    bool faces = k_and(k_is(s.valid), k_and(f.cos_im > R(0.0), m.z > R(0.0)));
+    bool faces = dielectric_faces(s, f);
     bool above = k_and(faces, f.reflected.z > R(0.0));
     bool below = k_and(faces, f.passing.z < R(0.0));
     f.reflects = k_and(above, f.light.reflectance > R(0.0));
@@ -165,15 +169,14 @@ K_FN dielectric_facet dielectric_facet_toward(dielectric_side s, dielectric_face
     refract_light known = refract_toward(s.n, f.cos_im, cos_om);
     bool leaves = k_and(below, cos_om < R(0.0));
     bool bent = k_and(leaves, !k_is(s.straight));
-    bool faces = k_and(k_is(s.valid), k_and(f.cos_im > R(0.0), f.m.z > R(0.0)));
     f.light.g = k_select(bent, known.g, f.light.g);
     f.light.bend = k_select(bent, known.bend, f.light.bend);
     f.light.transmittance = k_select(bent, known.transmittance, f.light.transmittance);
     f.reflected = v3_select(below, f.reflected, o);
     f.passing = v3_select(below, o, f.passing);
     f.reflects = k_and(f.reflects, f.reflected.z > R(0.0));
-    bool bends = k_and(k_and(faces, leaves), f.light.transmittance > R(0.0));
-    f.passes = k_or(bends, k_and(!below, f.passes));
+    bool lit = k_and(dielectric_faces(s, f), f.light.transmittance > R(0.0));
+    f.passes = k_or(k_and(leaves, lit), k_and(!below, f.passes));
     return f;
 }
 

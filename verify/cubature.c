@@ -3,9 +3,7 @@
 #include <math.h>
 #include <stddef.h>
 
-/* EMPTY_DEPTH: a box in which every point is 0 is halved so often before that is believed: something may reach
- * into it by less than the distance of the first point from its side. */
-enum { POINTS = 5, MOST_BOXES = 4, DEPTH = 9, EMPTY_DEPTH = 3 };
+enum { POINTS = 5, MOST_BOXES = 4, DEPTH = 9, SIDES = 4 };
 _Static_assert(MOST_BOXES *POINTS *POINTS == LOBE_CUBATURE_POINTS, "the quarters of a box");
 
 static const double NODE[POINTS] = {-0.90617984593866399280, -0.53846931010568309104, 0,
@@ -60,6 +58,24 @@ static lobe_box quarter(lobe_box box, int which) {
     return box;
 }
 
+/* Whether something reaches into a box along its sides, by less than the distance of the rule's first point: so near
+ * to them, in parts of the box. */
+static int reaches_in(const lobe_integrand *integrand, lobe_box box) {
+    const double near = 1e-3;
+    double at[2][SIDES * POINTS], values[SIDES * POINTS][LOBE_CUBATURE_VALUES];
+    for (int p = 0; p < SIDES * POINTS; ++p) {
+        const int side = p / POINTS, across = side & 1;
+        const double part[2] = {side < 2 ? near : 1 - near, (1 + NODE[p % POINTS]) / 2};
+        for (int axis = 0; axis < 2; ++axis)
+            at[axis][p] = box.low[axis] + (box.high[axis] - box.low[axis]) * part[axis != across];
+    }
+    evaluate(integrand, SIDES * POINTS, at[0], at[1], values);
+    for (int p = 0; p < SIDES * POINTS; ++p)
+        for (int k = 0; k < integrand->count; ++k)
+            if (values[p][k] != 0) return 1;
+    return 0;
+}
+
 /* `integral` comes in as the estimate for the whole box and leaves refined. */
 static void refine(const lobe_integrand *integrand, lobe_box box, int depth, int least_depth,
                    double integral[LOBE_CUBATURE_VALUES]) {
@@ -74,7 +90,7 @@ static void refine(const lobe_integrand *integrand, lobe_box box, int depth, int
         /* No refinement mends what is not finite. */
         is_good &= fabs(sum - integral[k]) <= integrand->tolerance[k] || !isfinite(sum);
     }
-    is_good &= !is_empty || depth >= EMPTY_DEPTH;
+    if (is_good && is_empty && depth < DEPTH) is_good = !reaches_in(integrand, box);
     for (int q = 0; q < 4 && !is_good && depth < DEPTH; ++q) {
         refine(integrand, quarters[q], depth + 1, least_depth, part[q]);
     }

@@ -84,8 +84,9 @@ static int refraction_point(const void *self, const double wo[3], lobe_disk_poin
     m[1] /= chart->alpha[1];
     normalize(m);
     double x = fmin(fmax(dot(m, chart->axis[0]), -1), 1);
-    double y = (dot(m, chart->axis[1]) - (1 - chart->stretch) * sqrt(1 - x * x)) / chart->stretch;
-    y = fmin(fmax(y, -sqrt(1 - x * x)), sqrt(1 - x * x));
+    double chord = sqrt(1 - x * x);
+    double y = (dot(m, chart->axis[1]) - (1 - chart->stretch) * chord) / chart->stretch;
+    y = fmin(fmax(y, -chord), chord);
     *point = (lobe_disk_point){x, y, sqrt(fmax(1 - x * x - y * y, 0))};
     return 1;
 }

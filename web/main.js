@@ -41,7 +41,7 @@ async function addViews(store, kernel, models, views) {
     const slow = new Slow(models, store, (data, fresh) => {
         if (data.kind === "integrals") {
             histogram.take(data.expected, fresh);
-            if (fresh) numbers.exact = data.albedo;
+            numbers.take(data.albedo, fresh);
             views.touch("view-histogram", "view-numbers");
         } else if (data.kind === "rows") picture.take(data.first, data.count, data.rows);
         else if (data.kind === "noise") picture.noise(data.noise, data.spp);

@@ -19,6 +19,11 @@ export class NumbersView {
         Object.assign(this, { store, kernel, sheet: new Sheet($("numbers")), exact: NaN });
     }
 
+    /** The exact value, from whoever integrated it, if it is of the surface that is shown. */
+    take(exact, fresh) {
+        if (fresh) this.exact = exact;
+    }
+
     /** Something has changed: an exact value of another surface is not shown. */
     age() {
         this.exact = NaN;

@@ -259,6 +259,45 @@ static void equal_indices_are_no_surface(void **state) {
     }
 }
 
+/* A pair whose facet is grazed, cos(i, m) = `cosine`, from outside: from inside it is next to total reflection. */
+static int grazing_pair(uint64_t k, double cosine, double ior, lobe_vec3_f32 *wi,
+                        lobe_vec3_f32 *wo) {
+    lobe_vec3_f64 m = uniform_direction(21, k), side = uniform_direction(22, k);
+    m.z = fabs(m.z);
+    const double part = dot(m, side), inner = sqrt(1 - (1 - cosine * cosine) / (ior * ior));
+    const double length = sqrt(1 - part * part), sine = sqrt(1 - cosine * cosine);
+    const lobe_vec3_f64 t = {(side.x - part * m.x) / length, (side.y - part * m.y) / length,
+                             (side.z - part * m.z) / length};
+    *wi = (lobe_vec3_f32){(float)(cosine * m.x + sine * t.x), (float)(cosine * m.y + sine * t.y),
+                          (float)(cosine * m.z + sine * t.z)};
+    *wo = (lobe_vec3_f32){(float)(-inner * m.x - sine / ior * t.x),
+                          (float)(-inner * m.y - sine / ior * t.y),
+                          (float)(-inner * m.z - sine / ior * t.z)};
+    return wi->z > 0.01f && wo->z < -0.01f;
+}
+
+/* Both sides see the light that passes next to the critical angle, and as much of it. */
+static void critical_angle_from_both_sides(void **state) {
+    (void)state;
+    const double cosines[] = {1e-2, 1e-3, 1e-4}, indices[] = {1.2, 1.5, 2.4};
+    lobe_dielectric_options options = options_of(LOBE_G2_CORRELATED, LOBE_TRANSPORT_IMPORTANCE);
+    int pairs = 0;
+    for (uint64_t k = 0; k < 1800; ++k) {
+        const double cosine = cosines[k % 3], ior = (float)indices[k / 3 % 3];
+        lobe_vec3_f32 wi, wo;
+        if (!grazing_pair(k, cosine, ior, &wi, &wo)) continue;
+        lobe_dielectric_f32 there =
+            lobe_dielectric_prepare_f32(options, wi, 0.8f, 0.8f, (float)ior);
+        lobe_dielectric_f32 here = lobe_dielectric_prepare_f32(options, wo, 0.8f, 0.8f, (float)ior);
+        const double a = lobe_dielectric_eval_wo_f32(&there, wo).f_cos / fabs(wo.z) / (ior * ior);
+        const double b = lobe_dielectric_eval_wo_f32(&here, wi).f_cos / fabs(wi.z);
+        assert_true(a > 0 && b > 0);
+        assert_near(a / b, 1, 64 * FLT_EPSILON / cosine);
+        pairs += 1;
+    }
+    assert_true(pairs > 500);
+}
+
 /* Every index next to 1 gives finite draws that leave wi nearly straight. */
 static void near_equal_indices_do_not_blow_up(void **state) {
     (void)state;
@@ -464,6 +503,7 @@ int main(void) {
         cmocka_unit_test(energy_is_never_made),
         cmocka_unit_test(smooth_limit),
         cmocka_unit_test(total_internal_reflection),
+        cmocka_unit_test(critical_angle_from_both_sides),
         cmocka_unit_test(smooth_surfaces_are_point_masses),
         cmocka_unit_test(equal_indices_are_no_surface),
         cmocka_unit_test(near_equal_indices_do_not_blow_up),

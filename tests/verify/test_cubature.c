@@ -62,8 +62,27 @@ static void jump(void **state) {
     assert_true(fabs(integral[0] - PI / 4) < 1e-4);
 }
 
+static void sliver(const void *self, double x, double y, double values[LOBE_CUBATURE_VALUES]) {
+    const int *side = self;
+    const double to_side[] = {x, y, 1 - x, 1 - y};
+    values[0] = to_side[*side] < 0.004;
+}
+
+/* What reaches into a box by less than its first point is seen, from every side. */
+static void slivers_along_a_side(void **state) {
+    (void)state;
+    for (int side = 0; side < 4; ++side) {
+        lobe_integrand integrand = {
+            .evaluate = sliver, .self = &side, .count = 1, .tolerance = {1e-9}};
+        double integral[LOBE_CUBATURE_VALUES];
+        lobe_cubature(&integrand, (lobe_box){{0, 0}, {1, 1}}, integral);
+        assert_true(fabs(integral[0] - 0.004) < 1e-3);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(smooth_functions),
-                                       cmocka_unit_test(sharp_peak), cmocka_unit_test(jump)};
+                                       cmocka_unit_test(sharp_peak), cmocka_unit_test(jump),
+                                       cmocka_unit_test(slivers_along_a_side)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -10,6 +10,7 @@
 #include "tests/verify/support.h"
 #include "verify/bins.h"
 #include "verify/cubature.h"
+#include "verify/rounded.h"
 #include "verify/dielectric_cases.h"
 
 static const double PI = 3.14159265358979323846;
@@ -139,6 +140,27 @@ static void charts_invert_and_differentiate(void **state) {
     }
 }
 
+/* Next to the edge of what refracts, a direction rounded to single precision still has its place in the chart. */
+static void rounded_directions_stay_on_the_chart(void **state) {
+    (void)state;
+    const double iors[] = {1.0001, 1.01, 1.5};
+    for (int k = 0; k < 3; ++k) {
+        lobe_dielectric_subject subject;
+        lobe_dielectric_subject_make(&subject, parameters_of(0.5, iors[k], 35), LOBE_PRECISION_F64);
+        const lobe_verify_chart *chart = &subject.model.chart;
+        int places = 0;
+        for (int i = 0; i < 1000; ++i) {
+            double wo[3];
+            if (!(direction(chart, 1 - 1e-7, (i + 0.5) / 1000, wo) > 0)) continue;
+            for (int axis = 0; axis < 3; ++axis) wo[axis] = lobe_rounded_to_float(wo[axis]);
+            lobe_disk_point point;
+            assert_true(chart->point(chart->self, wo, &point));
+            places += 1;
+        }
+        assert_true(places > 100);
+    }
+}
+
 static void solid_angle(const void *self, double t, double a, double values[LOBE_CUBATURE_VALUES]) {
     double wo[3];
     values[0] = direction(self, t, a, wo);
@@ -176,6 +198,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(every_case_is_accepted),
                                        cmocka_unit_test(wrong_models_are_rejected),
                                        cmocka_unit_test(charts_invert_and_differentiate),
+                                       cmocka_unit_test(rounded_directions_stay_on_the_chart),
                                        cmocka_unit_test(the_sphere_is_covered_once),
                                        cmocka_unit_test(integrals_agree_on_both_charts)};
     return cmocka_run_group_tests(tests, NULL, NULL);

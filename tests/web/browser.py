@@ -30,6 +30,8 @@ class Served:
         self.program = subprocess.Popen([PROGRAM, "explore", "--port", "0", "--no-open"],
                                         stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
         self.address = self.program.stdout.readline().decode().strip()
+        if not self.address:
+            raise RuntimeError(f"lobe explore does not start: {self.program.wait(60)}")
         return self
 
     def __exit__(self, *_):
@@ -80,8 +82,13 @@ def wait(page, condition, argument=None):
         page.wait_for_timeout(20)
 
 
+def two_frames(page):
+    """What has changed is drawn after the first, and seen after the second."""
+    page.evaluate("() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
+
+
 def wait_until_ready(page):
     """Until everything is loaded and what can be seen is drawn."""
     page.wait_for_load_state("networkidle")
     wait(page, "document.getElementById('version').textContent !== ''")
-    page.evaluate("() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
+    two_frames(page)
