@@ -24,7 +24,7 @@ static void evaluate(const lobe_integrand *integrand, int points, const double *
 /* Of so many boxes, all their points at once. */
 static void gauss(const lobe_integrand *integrand, int boxes, const lobe_box *box,
                   double (*integral)[LOBE_CUBATURE_VALUES]) {
-    double x[MOST_BOXES * POINTS * POINTS], y[MOST_BOXES * POINTS * POINTS];
+    double x[MOST_BOXES * POINTS * POINTS] = {0}, y[MOST_BOXES * POINTS * POINTS] = {0};
     double values[MOST_BOXES * POINTS * POINTS][LOBE_CUBATURE_VALUES];
     for (int p = 0; p < boxes * POINTS * POINTS; ++p) {
         const lobe_box *b = &box[p / (POINTS * POINTS)];
