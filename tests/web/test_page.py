@@ -343,9 +343,7 @@ class PageTest(unittest.TestCase):
         for k, hash in enumerate(BAD_HASHES):
             with self.subTest(hash[:40]):
                 if k % 8 == 7:  # a new page reads the address by the same text
-                    page.goto("about:blank")
-                    page.goto(self.served.address + hash)
-                    wait_until_ready(page)
+                    page = self.open(hash)
                 else:
                     page.evaluate("hash => { location.hash = hash; }", hash)
                     two_frames(page)
