@@ -52,7 +52,7 @@ K_FN beckmann_chord beckmann_horizon_chord(beckmann_horizon s, real x) {
 
 /* Z_y where the share u of the range is deeper */
 K_FN real beckmann_horizon_chord_at(beckmann_horizon s, real u) {
-    real t = beckmann_slopes_inverse(s.slopes, u, R(1.0) - u);
+    real t = beckmann_slopes_inverse(s.slopes, u);
     return beckmann_chord_share(beckmann_horizon_chord(s, -t));
 }
 
@@ -107,7 +107,7 @@ K_FN real beckmann_horizon_gain(beckmann_horizon s, real x) {
     beckmann_shares at = beckmann_slopes_shares(s.slopes, -x);
     real by_deep = (at.deep - s.slopes.deep_most) / s.mass;
     real by_shallow = R(1.0) - (at.shallow - s.slopes.shallow_least) / s.mass;
-    real u = k_saturate(k_select(k_is(at.by_deep), by_deep, by_shallow));
+    real u = k_saturate(k_select(at.deep < at.shallow, by_deep, by_shallow));
     real chord = beckmann_chord_share(beckmann_horizon_chord(s, x));
     real gain = quadratic_spline_density(s.along, u) / (s.mass * chord);
     real room = R(64.0) * K_EPS;
@@ -144,7 +144,7 @@ K_FN real beckmann_horizon_acceptance(beckmann_horizon s) {
 /* o_z = i_z q22 (w^2 - (y - centre)^2) m_z^2: positive whatever is rounded, and 0 at the rim. */
 K_FN facet_draw beckmann_horizon_draw(beckmann_horizon s, real u1, real u2, real u3) {
     real u = quadratic_spline_inverse(s.along, u1);
-    real t = beckmann_slopes_inverse(s.slopes, u, R(1.0) - u);
+    real t = beckmann_slopes_inverse(s.slopes, u);
     beckmann_chord chord = beckmann_horizon_chord(s, -t);
     real offset = beckmann_chord_offset(chord, u2);
     real across = k_select(k_is(s.limited), chord.centre + offset, beckmann_gaussian(u2));

@@ -25,7 +25,7 @@ K_FN beckmann_slope beckmann_slope_prepare(beckmann_base g) {
     s.slopes = beckmann_slopes_of(g.c);
     real c = s.slopes.c_plus;
     real rest = R(1.0) + K_SQRT_PI * c * k_erfcx_positive(c);
-    s.tails = k_min(k_exp_minus_square(c) * rest / s.slopes.k, R(1.0));
+    s.tails = k_min(k_exp_minus_square(c) * rest / s.slopes.k.high, R(1.0));
     s.rayleigh = R(1.0) / rest;
     s.erfc_c = k_erfc_abs(c);
     return s;
@@ -78,7 +78,7 @@ K_FN beckmann_slope_along beckmann_slope_along_of(beckmann_slope s, real u1, rea
 K_FN facet_draw beckmann_slope_draw(beckmann_slope s, real u1, real u2, real u3) {
     bool below = s.slopes.s > R(0.0);
     beckmann_slope_along a = beckmann_slope_along_of(s, u1, u2);
-    real t = k_select(below, beckmann_slopes_inverse(s.slopes, u1, R(1.0) - u1), -a.x);
+    real t = k_select(below, beckmann_slopes_inverse(s.slopes, u1), -a.x);
     real y = beckmann_gaussian(k_select(below, u2, a.u2));
     return beckmann_visible_draw(s.g, beckmann_pair_of_depth(s.g, s.azimuth, t, y));
 }

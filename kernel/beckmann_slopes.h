@@ -5,11 +5,13 @@
  * The unknown is the depth t = -x - s: below the horizon x sticks to c and only its distance t from
  * it keeps its digits; above, t is minus the slope. With c+ = max(c, 0) the share of slopes deeper than t is
  *     t >= 0:  exp(-t (t + 2s)) k(t)/K,  k = 1 + sqrt(pi) c erfcx(t)  or  (t + s defect(s + t))/(s + t),
- *     t < 0:   1 - (exp(-t^2)(sqrt(pi) c erfcx(-t) - 1) + exp(-c^2) defect(c))/K:
- * every term positive where its share is small, nothing underflows. Within about one of c, where these cancel,
- * the share between c and c - g is an integral over g, by Gauss quadrature. The inverse is found by steps of
- * Halley's third-order method inside a bracket (Jakob 2014 and Tokuyoshi 2021 take Newton steps without
- * one), from a start that is exact for c = 0, at both ends, and to second order at t = 0. */
+ *     t < 0:   1 - (exp(-t^2)(sqrt(pi) c erfcx(-t) - 1) + exp(-c^2) defect(c))/K.
+ * Near c, where the share above cancels, it is a series in the gap c - x, and so is its inverse.
+ *
+ * The inverse (Jakob 2014 and Tokuyoshi 2021 take Newton steps from a start that is exact for one c) starts from
+ * a polynomial in c and in the Gaussian slope with the same share below it, kept between bounds of the gap, and
+ * takes one step (double: two): the series of the depth in the share, to the fourth order, from a rounded depth,
+ * whose few digits make products exact, so that the share is known to twice its last digit. */
 #ifndef K_BECKMANN_SLOPES_H
 #define K_BECKMANN_SLOPES_H
 
@@ -17,17 +19,28 @@
 #include "log.h"
 
 #define K_SQRT_PI R(1.77245385090551602730)
+#if K_IS_F64
+#define K_SQRT_PI_LOW R(-7.66658649982579883e-17)
+#else
+#define K_SQRT_PI_LOW R(-5.32464004766e-8)
+#endif
 
 /* The slopes between two depths, and what depends on c only. */
 K_STRUCT(beckmann_slopes) {
     real c_plus;
     real s;
-    real k;             /* K */
-    real end;           /* exp(-c^2) defect(c), for c >= 0 */
-    real deep_0;        /* share deeper than t = 0 */
-    real shallow_0;     /* share above it */
-    real near;          /* exp(-c+^2)/K */
-    real end_gap;       /* c - x is at most end_gap sqrt(share above x) */
+    k_pair k;       /* K */
+    k_pair end;     /* exp(-c^2) defect(c), for c >= 0 */
+    k_pair bias;    /* sqrt(pi) c, for c >= 0; s */
+    real near;      /* exp(-c+^2)/K */
+    real near_root; /* about c, gap = near_root sqrt(share above) */
+    real start_0;   /* the polynomial of the start, by powers of a Gaussian slope */
+    real start_1;
+    real start_2;
+    real start_3;
+    real start_4;
+    real start_5;
+    real scale;         /* of its square for c < 2, of itself beyond */
     real t_least;       /* the range: depth of its greatest slope */
     real t_most;        /* and of its smallest */
     real deep_most;     /* share of all visible slopes deeper than t_most */
@@ -40,97 +53,234 @@ K_STRUCT(beckmann_slopes) {
 K_STRUCT(beckmann_shares) {
     real deep;
     real shallow;
-    kint by_deep;
+};
+
+/* A share, and what is not in it: the smaller of the two has all digits. */
+K_STRUCT(beckmann_target) {
+    k_pair tail; /* at most 1/2 */
+    kint deep;   /* the share below the depth that is wanted; else above it */
+    real w;      /* the Gaussian slope, counted downwards, with that share below it: a start */
 };
 
 /* Beyond this depth lies nothing that a random number can reach: a share of K_EPS^2. */
-K_FN real beckmann_slopes_bottom(real c_plus, real s, real k) {
+K_FN real beckmann_slopes_bottom(real s, real k) {
     real exponent = k_max(-k_log(k_min(k, R(1.0))), R(0.0)) - R(2.0) * k_log(K_EPS);
     return exponent / (s + k_sqrt(s * s + exponent));
+}
+
+#define BECKMANN_START_SWITCH R(2.0)
+
+/* a + x (b + x (c + x d)) of two polynomials, of which one is wanted */
+K_FN real beckmann_start_of(bool first, real x, real a0, real a1, real a2, real a3, real b0,
+                            real b1, real b2, real b3) {
+    real high = k_select(first, a2, b2) + x * k_select(first, a3, b3);
+    return k_select(first, a0, b0) + x * (k_select(first, a1, b1) + x * high);
+}
+
+/* Coefficients: tools/numerics/beckmann_start.py */
+K_FN beckmann_slopes beckmann_slopes_started(beckmann_slopes slopes, real c) {
+    beckmann_slopes r = slopes;
+    real cut = k_min(k_max(c, R(-1e8)), R(1e8));
+    real root = k_sqrt(R(12.0) + cut * cut);
+    bool first = c < BECKMANN_START_SWITCH;
+    real less = k_max(root - cut, R(1.0));
+    real inv = R(1.0) / (root * less);
+    real inv_root = inv * less;
+    real x = k_select(first, cut * inv_root, inv_root);
+    r.scale = k_select(first, inv * root, inv_root);
+    r.start_0 =
+        beckmann_start_of(first, x, R(1.70796113), R(0.691723775), R(0.262282271), R(-0.014035625),
+                          R(0.214137724), R(2.67746983), R(-12.9891618), R(62.0098419));
+    r.start_1 = beckmann_start_of(first, x, R(0.684290777), R(-0.240446679), R(-0.386367821),
+                                  R(-0.141764393), R(0.444898212), R(-12.3661282), R(85.3048753),
+                                  R(-187.64395));
+    r.start_2 = beckmann_start_of(first, x, R(-0.034869691), R(-0.0807448327), R(0.112439155),
+                                  R(0.0622979305), R(-0.298086257), R(8.43659751), R(-62.5678184),
+                                  R(134.758096));
+    r.start_3 = beckmann_start_of(first, x, R(-0.0034180582), R(0.0195820997), R(-0.00403401497),
+                                  R(-0.00222663428), R(-0.0281153339), R(0.52148124),
+                                  R(-0.942417665), R(-3.9632676));
+    r.start_4 = beckmann_start_of(first, x, R(0.00109278172), R(-0.00141551952), R(-0.00209924191),
+                                  R(-0.00320586375), R(0.00953831359), R(-0.227855445),
+                                  R(1.2012407), R(-0.776007363));
+    r.start_5 = beckmann_start_of(first, x, R(-7.51737223e-05), R(1.86364797e-05), R(0.00021064531),
+                                  R(0.000330690176), R(0.00108498413), R(-0.0289590516),
+                                  R(0.204025522), R(-0.564594846));
+    return r;
 }
 
 /* Everything that is visible. */
 K_FN beckmann_slopes beckmann_slopes_of(real c) {
     real a = k_abs(c);
-    real defect = k_erfcx_defect(a);
+    k_pair defect = k_erfcx_defect_pair(a);
     bool above = c >= R(0.0);
     beckmann_slopes r;
     r.c_plus = k_select(above, a, R(0.0));
     r.s = k_select(above, R(0.0), a);
-    real peak = k_select(above, k_exp_minus_square(a), R(1.0));
-    r.end = k_select(above, peak * defect, R(0.0));
-    r.k = k_select(above, R(2.0) * K_SQRT_PI * r.c_plus + r.end, defect);
-    r.near = peak / r.k;
-    real rise = K_SQRT_PI * r.c_plus;
-    r.deep_0 = k_select(above, (R(1.0) + rise) / r.k, R(1.0));
-    r.shallow_0 = k_max(rise - R(1.0) + r.end, K_TINY) / r.k;
-    real near = k_min(r.c_plus, R(9.0));
-    r.end_gap = k_select(r.c_plus < R(9.0), k_sqrt(r.k) * k_exp(R(0.5) * near * near), K_HUGE);
+    real rise = K_SQRT_PI * a;
+    real rise_low = k_product_lost(K_SQRT_PI, a, rise) + K_SQRT_PI_LOW * a;
+    k_exp_parts e = k_exp_split_square(a, R(-1.0));
+    real peak_tail = k_scale_by_power(e.tail, e.n);
+    real peak_whole = k_scale_by_power(R(1.0), e.n);
+    real end = peak_whole * defect.high;
+    k_pair end_pair = k_pair_of(end, peak_tail * defect.high);
+    end_pair.low = end_pair.low + (peak_whole + peak_tail) * defect.low;
+    real sum = R(2.0) * rise + end_pair.high;
+    real sum_low =
+        k_sum_lost(R(2.0) * rise, end_pair.high, sum) + (end_pair.low + R(2.0) * rise_low);
+    r.end.high = k_select(above, end_pair.high, R(0.0));
+    r.end.low = k_select(above, end_pair.low, R(0.0));
+    r.k.high = k_select(above, sum, defect.high);
+    r.k.low = k_select(above, sum_low, defect.low);
+    r.bias.high = k_select(above, rise, a);
+    r.bias.low = k_select(above, rise_low, R(0.0));
+    r.near = k_select(above, peak_whole + peak_tail, R(1.0)) / r.k.high;
+    r.near_root = k_sqrt(R(1.0) / k_max(r.near, K_TINY));
     r.t_least = -r.c_plus;
-    r.t_most = beckmann_slopes_bottom(r.c_plus, r.s, r.k);
+    r.t_most = beckmann_slopes_bottom(r.s, r.k.high);
     r.deep_most = R(0.0);
     r.deep_least = R(1.0);
     r.shallow_most = R(1.0);
     r.shallow_least = R(0.0);
-    return r;
+    return beckmann_slopes_started(r, c);
 }
 
-/* exp(c^2 - x^2) at the slope x = c - v */
-K_FN real beckmann_gaussian_at(real v, real c) {
-    return k_exp(v * (R(2.0) * c - v));
+/* A depth of few digits, and what the distribution is made of there:
+ *     t >= 0:  deep    = exp(-arg) (up d + bias (1 + rest))/(m d K),
+ *     t < 0:   shallow = exp(-arg) (up d + bias (1 + rest))/(m d K) + end/K. */
+K_STRUCT(beckmann_node) {
+    real t;
+    kint deep; /* t >= 0 */
+    k_pair arg;
+    k_pair m;
+    real up;
+    real d;
+    real d_low;
+    real rest;
+    real gap;
+    real x; /* minus the slope */
+};
+
+/* (1 + 2a) exp(a^2) erfc(a) - 1, or (1 + 7/4 a + 2a^2) defect(a) - 1, as in kernel/erf.h */
+K_FN real beckmann_node_rest(real a, bool defect) {
+    real t1 = k_half_line(a);
+    real both = t1 * (R(2.0) - t1);
+    real erfcx = t1 * R(0.06418958354775628695) + both * k_erfcx_bend(t1 - R(1.0));
+    return k_select(defect, both * k_defect_bend(t1 - R(1.0)), erfcx);
 }
 
-/* int_0^1 2 h exp(c^2 - (c - g h)^2) dh by Gauss quadrature (tools/numerics/gauss_nodes.py) */
-K_FN real beckmann_near_integral(real g, real c) {
+/* The node beside t. */
+K_FN beckmann_node beckmann_node_of(beckmann_slopes r, real t) {
 #if K_IS_F64
-    real sum =
-        R(0.0043616941715462617451) * beckmann_gaussian_at(R(0.036257812883209460941) * g, c);
-    sum = sum + R(0.024120008569570758103) * beckmann_gaussian_at(R(0.11807897878999870019) * g, c);
-    sum = sum + R(0.063609642982108002523) * beckmann_gaussian_at(R(0.23717698481496038532) * g, c);
-    sum = sum + R(0.11680239059033022113) * beckmann_gaussian_at(R(0.38188276530470597536) * g, c);
-    sum = sum + R(0.16871664368984069879) * beckmann_gaussian_at(R(0.53802959891898906512) * g, c);
-    sum = sum + R(0.20061761838673657931) * beckmann_gaussian_at(R(0.69033242007236218294) * g, c);
-    sum = sum + R(0.19706748434469141032) * beckmann_gaussian_at(R(0.82388334383700471814) * g, c);
-    sum = sum + R(0.15214851021861632516) * beckmann_gaussian_at(R(0.92561261029080395536) * g, c);
-    sum = sum + R(0.072556007046559742919) * beckmann_gaussian_at(R(0.98558759035112345137) * g, c);
+    real grid = R(8388608.0);
 #else
-    real sum = R(0.031495829043384552371) * beckmann_gaussian_at(R(0.098535085798826426123) * g, c);
-    sum = sum + R(0.1478177401452333407) * beckmann_gaussian_at(R(0.30453572664636390549) * g, c);
-    sum = sum + R(0.2927739741693396174) * beckmann_gaussian_at(R(0.56202518975261385599) * g, c);
-    sum = sum + R(0.33434927618873913098) * beckmann_gaussian_at(R(0.80198658212639182746) * g, c);
-    sum = sum + R(0.19356318045330335855) * beckmann_gaussian_at(R(0.96019014294853125766) * g, c);
+    real grid = R(512.0);
 #endif
-    return sum;
-}
-
-/* The shares on both sides of depth t; `by_deep` tells which of the two has all its digits: the other is 1
- * minus it. */
-K_FN beckmann_shares beckmann_slopes_shares(beckmann_slopes r, real t) {
-    bool below_zero = t >= R(0.0);
-    real a = k_abs(t);
-    real erfcx = k_erfcx_positive(a);
+    bool below = r.s > R(0.0);
+    beckmann_node n;
+    real coarse = k_round(k_min(k_max(t, R(-8.0)), R(8.0)) * grid) / grid;
+    n.t = k_select(below, k_upper_half(t), coarse);
+    real a = k_abs(n.t);
     real y = r.s + a;
-    real under = (a + r.s * k_erfcx_defect(y)) / k_max(y, K_TINY);
-    real e = k_exp(-(a * (a + R(2.0) * r.s)));
-    real scaled = K_SQRT_PI * r.c_plus * erfcx;
-    real deep = e * k_select(r.s > R(0.0), under, R(1.0) + scaled) / r.k;
-    real shallow = k_max(e * (scaled - R(1.0)) + r.end, R(0.0)) / r.k;
-    real gap = r.c_plus + t;
-    bool near = k_and(gap * (gap + R(2.0) * r.s) < R(1.0), r.c_plus < R(1.0));
-    real near_gap = k_select(near, k_max(gap, R(0.0)), R(0.0));
-    real near_shallow =
-        near_gap * near_gap * r.near * beckmann_near_integral(near_gap, r.c_plus - r.s);
-    shallow = k_select(near, near_shallow, shallow);
-    beckmann_shares shares;
-    shares.by_deep = k_flag(k_and(below_zero, !near));
-    shares.deep = k_select(k_is(shares.by_deep), k_min(deep, R(1.0)), R(1.0) - shallow);
-    shares.shallow = k_select(k_is(shares.by_deep), R(1.0) - shares.deep, shallow);
-    return shares;
+    bool deep = n.t >= R(0.0);
+    n.deep = k_flag(deep);
+    n.rest = beckmann_node_rest(y, below);
+    n.m.high = k_select(below, y, R(1.0));
+    n.m.low = k_select(below, k_sum_lost(r.s, a, y), R(0.0));
+    real w = R(1.75) + R(2.0) * y;
+    real by = k_select(below, w, R(2.0));
+    real product = y * by;
+    n.d = R(1.0) + product;
+    real product_low = k_product_lost(y, by, product) + y * k_sum_lost(R(1.75), R(2.0) * y, w) +
+                       (w + R(2.0) * y) * n.m.low;
+    n.d_low = k_select(below, k_sum_lost(R(1.0), product, n.d) + product_low, R(0.0));
+    n.up = k_select(below, a, k_select(deep, R(1.0), R(-1.0)));
+    real s_high = k_upper_half(r.s);
+    real square = a * a;
+    real cross = R(2.0) * a * s_high;
+    n.arg.high = square + cross;
+    real arg_low = k_sum_lost(square, cross, n.arg.high) + R(2.0) * a * (r.s - s_high);
+    n.arg.low = k_min(k_max(arg_low, R(-1.0)), R(1.0)); /* where high is in use it is less */
+    n.gap = k_max(r.c_plus + n.t, R(1e-6) * K_EPS);
+    n.x = n.t + r.s;
+    return n;
 }
 
-/* Density of the slope over all visible slopes. */
-K_FN real beckmann_slopes_density(beckmann_slopes r, real t) {
-    return R(2.0) * k_max(r.c_plus + t, R(0.0)) * k_exp(-(t * (t + R(2.0) * r.s))) / r.k;
+/* The share between t and t + d is that of a constant density times 1 + d (b2 + d (b3 + d b4)). */
+K_STRUCT(beckmann_bends) {
+    real b2;
+    real b3;
+    real b4;
+};
+
+K_FN beckmann_bends beckmann_bends_of(beckmann_node n, real h) {
+    real y = n.x;
+    real e2 = R(2.0) * y * y - R(1.0);
+    beckmann_bends b;
+    b.b2 = R(0.5) * h - y;
+    b.b3 = R(0.33333333333333333333) * (e2 - R(2.0) * y * h);
+    b.b4 = R(0.25) * (e2 * h - y * (R(1.33333333333333333333) * y * y - R(2.0)));
+    return b;
+}
+
+/* S of the share above depth c+ + gap: near gap^2 S; p = 2c gap, q = gap^2 */
+K_FN real beckmann_near_series(real p, real q) {
+    real n4 = R(12.0) * q * q + p * p * (p * p - R(12.0) * q);
+    real n5 = p * (R(60.0) * q * q + p * p * (p * p - R(20.0) * q));
+    real sum = R(0.66666666666666666667) * p + R(0.25) * (p * p - R(2.0) * q);
+    sum = sum + R(0.066666666666666666667) * p * (p * p - R(6.0) * q);
+    sum = sum + R(0.013888888888888888889) * n4;
+    return R(1.0) + (sum + R(0.0023809523809523809524) * n5);
+}
+
+/* gap/root of root^2 = gap^2 S; p = 2c root, q = root^2 (tools/numerics/beckmann_start.py) */
+K_FN real beckmann_near_inverse(real p, real q) {
+    real p2 = p * p;
+    real even = p2 * (R(11.0) / R(72.0) + p2 * (R(769.0) / R(17280.0)) + R(131.0) / R(480.0) * q);
+    even = even + q * (R(0.25) + R(13.0) / R(96.0) * q);
+    real odd = R(1.0) / R(3.0) + p2 * (R(43.0) / R(540.0) + R(221.0) / R(8505.0) * p2);
+    odd = odd + q * (R(0.3) + R(212.0) / R(945.0) * p2 + R(89.0) / R(315.0) * q);
+    return R(1.0) + (even - p * odd);
+}
+
+/* The shares on both sides of depth t. */
+K_FN beckmann_shares beckmann_slopes_shares(beckmann_slopes r, real t) {
+    beckmann_node n = beckmann_node_of(r, t);
+    k_exp_parts e = k_exp_split(-n.arg.high, -n.arg.low);
+    real scale = k_scale_by_power(R(1.0), e.n);
+    real top = n.up * n.d + r.bias.high;
+    real top_low = k_sum_lost(n.up * n.d, r.bias.high, top) + r.bias.high * n.rest + r.bias.low;
+    k_pair value = k_pair_of(top, top_low);
+    real more = value.high * e.tail;
+    k_pair part = k_pair_of(value.high, more);
+    part.low = part.low + value.low * (R(1.0) + e.tail) + k_product_lost(value.high, e.tail, more);
+    real md = n.m.high * n.d;
+    real bottom = md * r.k.high;
+    real bottom_low = k_product_lost(md, r.k.high, bottom) + md * r.k.low +
+                      (k_product_lost(n.m.high, n.d, md) + n.m.low * n.d) * r.k.high;
+    bool deep = k_is(n.deep);
+    k_pair share = k_quotient_pair(part.high * scale, part.low * scale, bottom, bottom_low);
+    real end = k_select(deep, R(0.0), r.end.high / r.k.high);
+    real off = t - n.t;
+    beckmann_bends b = beckmann_bends_of(n, R(1.0) / n.gap);
+    real density = R(2.0) * n.gap * (scale * (R(1.0) + e.tail)) / r.k.high;
+    real moved = density * off * (R(1.0) + off * (b.b2 + off * b.b3));
+    real sum = share.high + end;
+    real low = k_sum_lost(share.high, end, sum) + share.low + k_select(deep, -moved, moved);
+    k_pair result = k_pair_of(k_max(sum, K_TINY), low);
+    real other = (R(1.0) - result.high) - result.low;
+    real gap = k_max(r.c_plus + t, R(0.0));
+    real p = R(2.0) * (r.c_plus - r.s) * gap;
+#if K_IS_F64
+    bool near = k_and(k_abs(p) < R(0.01), gap < R(0.01));
+#else
+    bool near = k_and(k_abs(p) < R(0.3), gap < R(0.15));
+#endif
+    real above = r.near * gap * gap * beckmann_near_series(p, gap * gap);
+    beckmann_shares shares;
+    shares.shallow = k_select(near, above, k_max(k_select(deep, other, result.high), R(0.0)));
+    shares.deep = k_select(near, R(1.0) - above, k_max(k_select(deep, result.high, other), R(0.0)));
+    return shares;
 }
 
 /* Only the slopes with depths from t_least to t_most, within what is visible. */
@@ -154,69 +304,124 @@ K_FN real beckmann_slopes_mass(beckmann_slopes r) {
     return k_max(k_select(r.deep_least < R(0.5), by_deep, by_shallow), R(0.0));
 }
 
-/* Where the inverse begins: depth with a share of `deep` below it, `shallow` above.
- * L is minus the logarithm of the share relative to that at t = 0. Below the horizon the exponent
- * E = t (t + 2s) is L + log(1 + ...); above it both sides solve L = r t + q t^2, the second-order
- * expansion at 0 with q bent towards 1 far out; near the horizon the slope saturates at c. */
-K_FN real beckmann_slopes_start(beckmann_slopes r, real deep, real shallow) {
-    bool is_deep = deep <= r.deep_0;
-    real ratio = k_select(is_deep, deep / r.deep_0, shallow / r.shallow_0);
-    real l = k_max(-k_log(ratio), R(0.0));
-    real root_l = k_sqrt(l);
+/* One step from t: the depth that leaves the share of the target. */
+K_FN real beckmann_slopes_step(beckmann_slopes r, beckmann_target target, real t) {
+    beckmann_node n = beckmann_node_of(r, t);
+    k_exp_parts e = k_exp_split(n.arg.high, n.arg.low);
+    real scale = k_scale_by_power(R(1.0), e.n);
+    bool deep = k_is(n.deep);
 
-    real theta = r.s * k_sqrt(R(2.0) * r.k) / k_max(R(1.0) - r.k, K_EPS);
-    real q = theta * (l + R(1.41421356237309504880) * root_l);
-    real e = l + k_log((R(1.0) + q) / (R(1.0) + r.k * q));
-    real under = e / k_max(r.s + k_sqrt(r.s * r.s + e), K_TINY);
+    /* the share on the side of t */
+    real other = R(1.0) - target.tail.high;
+    real other_low = ((R(1.0) - other) - target.tail.high) - target.tail.low;
+    bool same = n.deep == target.deep;
+    real share = k_select(same, target.tail.high, other);
+    real share_low = k_select(same, target.tail.low, other_low);
 
-    real c = r.c_plus;
-    real b = R(1.0) / k_select(is_deep, R(1.0) + K_SQRT_PI * c, r.k * r.shallow_0);
-    real slope = R(2.0) * c * b;
-    real bend = k_max(R(0.5) * slope * slope + k_select(is_deep, b, -b), R(0.0));
-    real bent = k_max(R(1.0) - (R(1.0) - bend) / (R(1.0) + R(0.27) * root_l), bend);
-    real t = R(2.0) * l / k_max(slope + k_sqrt(slope * slope + R(4.0) * bent * l), K_TINY);
+    /* times K: what is left of it without the end */
+    real whole = share * r.k.high;
+    real whole_low =
+        k_product_lost(share, r.k.high, whole) + share * r.k.low + share_low * r.k.high;
+    real end = k_select(deep, R(0.0), r.end.high);
+    real left = whole - end;
+    real left_low = k_sum_lost(whole, -end, left) + whole_low - k_select(deep, R(0.0), r.end.low);
 
-    /* x = c (1 - exp(-t/c)) keeps its second order with a smaller bend */
-    real inv_c = R(1.0) / k_max(c, K_TINY);
-    real straight = k_max(bend - R(0.5) * slope * inv_c, R(0.0));
-    real t_straight =
-        R(2.0) * l / k_max(slope + k_sqrt(slope * slope + R(4.0) * straight * l), K_TINY);
-    real near_end = c * (R(1.0) - k_exp(-(t_straight * inv_c)));
-    real weight = c * c / (c * c + R(4.0));
-    real x = near_end + weight * (k_min(t, c) - near_end);
-    x = k_max(x, c - r.end_gap * k_sqrt(shallow));
-    return k_select(r.s > R(0.0), under, k_select(is_deep, t, -x));
+    /* times exp(arg) m d, less what it should be */
+    real more = left * e.tail;
+    real grown = left + more;
+    real grown_low = ((left - grown) + more) + left_low * (R(1.0) + e.tail);
+    grown = grown * scale;
+    grown_low = grown_low * scale;
+    real by_m = grown * n.m.high;
+    real by_m_low = k_product_lost(grown, n.m.high, by_m) + grown * n.m.low + grown_low * n.m.high;
+    real over = by_m - n.up;
+    real over_low = k_sum_lost(by_m, -n.up, over) + by_m_low;
+    real over_high = k_upper_half(over);
+    real d_high = k_upper_half(n.d);
+    real excess = (d_high * over_high - r.bias.high) +
+                  (((n.d - d_high) + n.d_low) * over_high +
+                   (n.d * ((over - over_high) + over_low) - (r.bias.high * n.rest + r.bias.low)));
+
+    real inv = R(1.0) / (R(2.0) * n.gap * n.m.high * n.d);
+    real h = R(2.0) * n.m.high * (n.d * inv);
+    real v = k_select(deep, -excess, excess) * inv;
+    beckmann_bends b = beckmann_bends_of(n, h);
+    real a3 = R(2.0) * b.b2 * b.b2 - b.b3;
+    real a4 = b.b2 * (R(5.0) * (b.b2 * b.b2 - b.b3)) + b.b4;
+    real move = v - v * v * (b.b2 - v * (a3 - v * a4));
+    return n.t + move;
 }
 
-/* The depth that leaves the share u of the range below it; v = 1 - u, so that neither tail loses digits.
- * Residual: at the foot. */
-K_FN real beckmann_slopes_inverse(beckmann_slopes r, real u, real v) {
-    real deep = u * r.deep_least + v * r.deep_most;
-    real shallow = v * r.shallow_most + u * r.shallow_least;
-    deep = k_max(deep, K_EPS * K_EPS);
-    real low = r.t_least;
-    real high = r.t_most;
-    real t = k_min(k_max(beckmann_slopes_start(r, deep, shallow), low), high);
-    K_UNROLL
-    for (int step = 0; step < 2 + K_IS_F64; ++step) {
-        beckmann_shares at = beckmann_slopes_shares(r, t);
-        real excess = k_select(k_is(at.by_deep), at.deep - deep, shallow - at.shallow);
-        low = k_select(excess >= R(0.0), t, low);
-        high = k_select(excess <= R(0.0), t, high);
-        real newton = excess / k_max(beckmann_slopes_density(r, t), K_TINY);
-        real gap = k_max(r.c_plus + t, K_TINY);
-        real halley = R(1.0) + newton * (R(0.5) / gap - (t + r.s));
-        t = k_min(k_max(t + newton / k_max(halley, R(0.1)), low), high);
-    }
-    return t;
+/* A Gaussian slope counted downwards, with the share `deep` below it, to 5e-4 (Abramowitz & Stegun 26.2.23). */
+K_FN real beckmann_start_slope(real tail, bool deep) {
+    real l = k_sqrt(R(-2.0) * k_log(k_min(tail, R(0.5))));
+    real top = R(2.515517) + l * (R(0.802853) + l * R(0.010328));
+    real bottom = R(1.0) + l * (R(1.432788) + l * (R(0.189269) + l * R(0.001308)));
+    real w = R(0.70710678118654752440) * (l - top / bottom);
+    return k_select(deep, w, -w);
+}
+
+/* The depth of a share. Residual: at the foot. */
+K_FN real beckmann_slopes_at(beckmann_slopes r, beckmann_target target) {
+    real w = k_min(k_max(target.w, R(-5.5)), R(5.5));
+    real cubic = r.start_2 + w * (r.start_3 + w * (r.start_4 + w * r.start_5));
+    real start = r.start_0 + w * (r.start_1 + w * cubic);
+    real c = r.c_plus - r.s;
+    bool first = c < BECKMANN_START_SWITCH;
+    /* beyond what is fitted it grows about as a power of w */
+    real power = start * (R(1.0) + R(0.09) * k_max(target.w - w, R(0.0)));
+    start = k_select(first, power * power, start) * r.scale + k_select(first, -r.c_plus, target.w);
+
+    real shallow = k_select(k_is(target.deep), R(1.0) - target.tail.high, target.tail.high);
+    real root = r.near_root * k_sqrt(shallow);
+    real p = R(2.0) * c * root;
+    /* the gap is at least this: S is below exp(2c gap) */
+    real least_gap = root / (R(1.0) + k_max(r.c_plus * root, R(0.0)));
+    start = k_max(start, least_gap - r.c_plus);
+    real near_gap = root * beckmann_near_inverse(p, root * root);
+    bool use = k_and(k_abs(p) < R(0.7), root < R(0.35));
+    real t = k_select(use, near_gap - r.c_plus, start);
+#if K_IS_F64
+    bool near = k_and(k_abs(p) < R(0.004), root < R(0.004));
+    t = k_min(k_max(beckmann_slopes_step(r, target, t), r.t_least), r.t_most);
+#else
+    bool near = k_and(k_abs(p) < R(0.11), root < R(0.08));
+#endif
+    real found = beckmann_slopes_step(r, target, t);
+    return k_min(k_max(k_select(near, near_gap - r.c_plus, found), r.t_least), r.t_most);
+}
+
+/* u a + (1 - u) b of shares */
+K_FN k_pair beckmann_mixed_share(real u, real a, real b) {
+    real v = R(1.0) - u;
+    real from_a = u * a;
+    real from_b = v * b;
+    real v_low = (R(1.0) - v) - u;
+    k_pair r;
+    r.high = from_a + from_b;
+    r.low = k_sum_lost(from_a, from_b, r.high) + v_low * b +
+            (k_product_lost(u, a, from_a) + k_product_lost(v, b, from_b));
+    return r;
+}
+
+/* The depth that leaves the share u of the range below it. */
+K_FN real beckmann_slopes_inverse(beckmann_slopes r, real u) {
+    k_pair deep = beckmann_mixed_share(u, r.deep_least, r.deep_most);
+    k_pair shallow = beckmann_mixed_share(u, r.shallow_least, r.shallow_most);
+    bool is_deep = deep.high < shallow.high;
+    beckmann_target target;
+    target.deep = k_flag(is_deep);
+    target.tail.high = k_max(k_select(is_deep, deep.high, shallow.high), K_EPS * K_EPS);
+    target.tail.low = k_select(is_deep, deep.low, shallow.low);
+    target.w = beckmann_start_slope(target.tail.high, is_deep);
+    return beckmann_slopes_at(r, target);
 }
 
 /* Residual of the inverse, the share of all visible slopes that the depth misses, against long double
- * (tests/kernel/beckmann_slopes_template.h: c over all magnitudes of both signs, whole and limited ranges): below
- * 3e-7 in float, at c < 0 and shares of about 1/2; 5e-16 in double. Of 400000 in float the worst is 2.5e-7 at c =
- * -7.12437057, u = 0.694748163, and 0.44 % are above 1e-7. The depth nearest to the exact root would leave up to
- * 4.4e-8: what is above that is the rounding of the share itself, an exponential times a quotient, not the
- * steps: of 120000 of them the worst is 2.3e-7, with a third step too, 2.4e-7 with the integral near the end in
- * use up to g (g + 2s) = 1.7, where half of the slopes are above, and 2.6e-7 with both. */
+ * (tests/kernel/beckmann_slopes_template.h: c over all magnitudes of both signs; 2 10^6 places each): below 1e-7
+ * in float, at worst 6.9e-8 of all slopes (c = -0.927116394, u = 0.910636544), 9.9e-8 between two limits (c =
+ * -0.207575798, u = 1.46165602e-09); the depth nearest to the exact root would leave up to 4.4e-8. In double 1.1e-16
+ * and 4e-16. Of the smaller share itself it misses in float at most 1e-3 down to 1e-8, where the depth tells slopes
+ * apart (near c > 0 it does not: there it is -c and a gap below its last digit). */
 
 #endif

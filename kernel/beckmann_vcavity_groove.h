@@ -30,7 +30,7 @@ K_FN beckmann_vcavity_groove beckmann_vcavity_groove_of(beckmann_vcavity_base g)
 /* u3 chooses the part; from above it is left for the choice of the side. */
 K_FN facet_pair beckmann_vcavity_groove_draw(beckmann_vcavity_groove s, real u1, real u2, real u3) {
     real masked = k_erfcinv(s.masked_area * u1) - s.g.a;
-    real whole = beckmann_slopes_inverse(s.whole, u1, R(1.0) - u1);
+    real whole = beckmann_slopes_inverse(s.whole, u1);
     real depth = k_select(u3 < s.g.masked_share, masked, whole);
     return beckmann_pair_of_depth(s.g.beckmann, s.azimuth, depth, beckmann_gaussian(u2));
 }

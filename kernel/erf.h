@@ -97,11 +97,15 @@ K_FN real k_erfcx_rise(real a) {
 }
 
 /* The quotient of two sums of two numbers, (p + p_low)/(d + d_low), with what the division leaves. */
-K_FN real k_quotient(real p, real p_low, real d, real d_low) {
+K_FN k_pair k_quotient_pair(real p, real p_low, real d, real d_low) {
     real v = p / d;
     real vd = v * d;
     real left = (p - vd) - k_product_lost(v, d, vd);
-    return v + ((left + p_low) - v * d_low) / d;
+    return k_pair_of(v, ((left + p_low) - v * d_low) / d);
+}
+
+K_FN real k_quotient(real p, real p_low, real d, real d_low) {
+    return k_quotient_pair(p, p_low, d, d_low).high;
 }
 
 /* exp(x^2) erfc(x) for x >= 0; K_HUGE and beyond count as K_HUGE */
@@ -114,7 +118,7 @@ K_FN real k_erfcx_positive(real x) {
 }
 
 /* erfc of |x|: 2^n (1 + tail)(1 + rise)/(1 + 2a); the product as a sum of two numbers */
-K_FN real k_erfc_abs(real x) {
+K_FN k_pair k_erfc_abs_pair(real x) {
     real a = k_min(k_abs(x), R(30.0));
     k_exp_parts e = k_exp_split_square(a, R(-1.0));
     real rise = k_erfcx_rise(a);
@@ -123,7 +127,12 @@ K_FN real k_erfc_abs(real x) {
     real p = leading + rest;
     real d = R(1.0) + R(2.0) * a;
     real d_low = k_sum_lost(R(1.0), R(2.0) * a, d);
-    return k_scale_by_power(k_quotient(p, (leading - p) + rest, d, d_low), e.n);
+    k_pair q = k_quotient_pair(p, (leading - p) + rest, d, d_low);
+    return k_pair_of(k_scale_by_power(q.high, e.n), k_scale_by_power(q.low, e.n));
+}
+
+K_FN real k_erfc_abs(real x) {
+    return k_erfc_abs_pair(x).high;
 }
 
 K_FN real k_erfc(real x) {
@@ -150,7 +159,7 @@ K_FN real k_erfcx(real x) {
 
 /* 1 - sqrt(pi) x exp(x^2) erfc(x) for x >= 0, without that cancellation: about 1/(2 x^2) far out. It is
  * sqrt(pi) exp(x^2) times the integral of erfc from x on. */
-K_FN real k_erfcx_defect(real x) {
+K_FN k_pair k_erfcx_defect_pair(real x) {
     real a = k_min(k_max(x, R(0.0)), R(0.1) * k_sqrt(K_HUGE));
     real t1 = k_half_line(a);
     real rest = t1 * (R(2.0) - t1) * k_defect_bend(t1 - R(1.0));
@@ -159,7 +168,11 @@ K_FN real k_erfcx_defect(real x) {
     real aw = a * w;
     real d = R(1.0) + aw;
     real aw_low = k_product_lost(a, w, aw) + a * k_sum_lost(R(1.75), R(2.0) * a, w);
-    return k_quotient(p, (R(1.0) - p) + rest, d, k_sum_lost(R(1.0), aw, d) + aw_low);
+    return k_quotient_pair(p, (R(1.0) - p) + rest, d, k_sum_lost(R(1.0), aw, d) + aw_low);
+}
+
+K_FN real k_erfcx_defect(real x) {
+    return k_erfcx_defect_pair(x).high;
 }
 
 /* Worst errors, every float on which the values are not 0, 1, 2 or a power of x (tools/numerics/worst_error.c):

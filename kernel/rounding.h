@@ -5,6 +5,12 @@
 
 #include "scalar.h"
 
+/* high + low: low is what rounding has taken from high. */
+K_STRUCT(k_pair) {
+    real high;
+    real low;
+};
+
 /* x without the lower half of its digits: its square, and its product with another such, is exact. */
 K_FN real k_upper_half(real x) {
 #if K_IS_F64
@@ -18,6 +24,14 @@ K_FN real k_upper_half(real x) {
 K_FN real k_sum_lost(real a, real b, real sum) {
     real from_b = sum - a;
     return (a - (sum - from_b)) + (b - from_b);
+}
+
+/* a + b as a pair, |b| not above |a|. */
+K_FN k_pair k_pair_of(real a, real b) {
+    k_pair r;
+    r.high = a + b;
+    r.low = (a - r.high) + b;
+    return r;
 }
 
 /* What the product a b loses to rounding, from halves that multiply exactly. */

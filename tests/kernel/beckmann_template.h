@@ -201,7 +201,7 @@ static cells expected_cells(const sampler *s, beckmann_base g) {
             for (int n = 0; s == &horizon && n < POINTS * POINTS; ++n) {
                 real u = (real)((j + (n / POINTS + 0.5) / POINTS) / ALONG);
                 real w = (real)((k + (n % POINTS + 0.5) / POINTS) / ACROSS);
-                real t = beckmann_slopes_inverse(all, u, R(1.0) - u);
+                real t = beckmann_slopes_inverse(all, u);
                 v3 m = normal_at(g, (double)t, (double)beckmann_gaussian(w));
                 facet_pair pair = beckmann_pair_of_m(g, m);
                 sum += (double)(beckmann_horizon_pdf_m(h, pair) / beckmann_visible_pdf_m(g, pair));
@@ -261,7 +261,7 @@ static double chi2_between_limits(bool published) {
     for (uint64_t k = 0; k < 8 * DRAWS; ++k) {
         real u = lobe_random_unit_f32(lobe_random(78, 0, k).word[0]);
         real t = published ? c - beckmann_published_slope(c, R(3.0) * c, u)
-                           : beckmann_slopes_inverse(r, u, R(1.0) - u);
+                           : beckmann_slopes_inverse(r, u);
         double share = (double)((exact_shares(c, t).deep - end.deep) / end.shallow);
         count[(int)fmin(fmax(share * 100, 0), 99)]++;
     }

@@ -1,5 +1,5 @@
 #include "kernel/bind/c_f32.h"
 
-#define RESIDUAL 3e-7
+#define RESIDUAL 1e-7
 
 #include "beckmann_slopes_template.h"

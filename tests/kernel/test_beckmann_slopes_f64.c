@@ -1,5 +1,5 @@
 #include "kernel/bind/c_f64.h"
 
-#define RESIDUAL 2e-15
+#define RESIDUAL 5e-16
 
 #include "beckmann_slopes_template.h"
