@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "interrupt.h"
+#include "metal.h"
 #include "number.h"
 #include "progress.h"
 
@@ -63,6 +64,11 @@ const lobe_app_option lobe_app_path_options[] = {
     {"--multiscatter", "NAME", "none",
      "what metals and glass scatter more than once: an approximation, or random walks",
      lobe_app_read_choice, AT(multiscatter), multiscatters},
+    {"--metal", "F", "schlick",
+     "what all metals reflect: schlick, or f82:R,G,B with a tint by channel, of their base colour; "
+     "conductor:NR,NG,NB,KR,KG,KB in its place, exact; or aluminium, chromium, copper, gold, iron, "
+     "nickel, silver, titanium",
+     lobe_app_read_metal, AT(metal), NULL},
     {"--heuristic", "NAME", "balance", "how light and surface samples are combined",
      lobe_app_read_choice, AT(heuristic), heuristics},
     {0}};
@@ -124,6 +130,7 @@ lobe_render_options lobe_app_view_render_options(const lobe_app_view *v) {
     r.camera = v->camera;
     r.heuristic = (lobe_heuristic)v->heuristic;
     r.multiscatter = (lobe_multiscatter)v->multiscatter;
+    r.metal = v->metal;
     r.cancel = &lobe_app_interrupted;
     r.warning = print_warning;
     return r;

@@ -17,6 +17,7 @@ typedef struct lobe_app_view {
     const char *animation;
     double exposure, rotation, material[5], floor, frame_time;
     int ndf, masking, g2, normalization, heuristic, multiscatter;
+    lobe_metal metal;
     bool strict, ground;
 } lobe_app_view;
 

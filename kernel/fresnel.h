@@ -33,8 +33,10 @@ K_FN real fresnel_f82(real f0, real tint, real cos_i) {
     return k_saturate(fresnel_schlick(f0, mu) - fresnel_f82_b(f0, tint) * mu * sixth);
 }
 
+/* Of F before it is clamped at 0: a dark tint on a dark f0 takes more than there is. */
 K_FN real fresnel_f82_average(real f0, real tint) {
-    return fresnel_schlick_average(f0) - fresnel_f82_b(f0, tint) * R(0.0079365079365079365);
+    real loss = fresnel_f82_b(f0, tint) * R(0.0079365079365079365);
+    return k_max(fresnel_schlick_average(f0) - loss, R(0.0));
 }
 
 /* Exact dielectric of squared index n2m1 + 1. The numerators are written with g - c, g^2 = n2m1 + c^2,

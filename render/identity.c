@@ -69,6 +69,16 @@ static void add_scene(char *text, const lobe_scene *s, const camera *c) {
     add_hash(text, "camera", XXH3_64bits(view, sizeof view));
 }
 
+static void add_metal(char *text, const lobe_metal *m) {
+    const float *t = m->tint, *n = m->n, *k = m->k;
+    if (m->law == LOBE_METAL_SCHLICK) add_line(text, "metal schlick\n");
+    if (m->law == LOBE_METAL_F82)
+        add_line(text, "metal f82:%.9g,%.9g,%.9g\n", (double)t[0], (double)t[1], (double)t[2]);
+    if (m->law == LOBE_METAL_CONDUCTOR)
+        add_line(text, "metal conductor:%.9g,%.9g,%.9g,%.9g,%.9g,%.9g\n", (double)n[0],
+                 (double)n[1], (double)n[2], (double)k[0], (double)k[1], (double)k[2]);
+}
+
 static void add_options(char *text, const lobe_render_options *o) {
     static const char *const multiscatters[] = {"none", "kulla-conty", "turquin", "walk"};
     const lobe_reflection_options *r = &o->reflection;
@@ -81,6 +91,7 @@ static void add_options(char *text, const lobe_render_options *o) {
              r->normalization == LOBE_NORMALIZATION_UNBIASED ? "unbiased" : "previous");
     add_line(text, "multiscatter %s\nheuristic %s\n", multiscatters[o->multiscatter],
              lobe_heuristic_name(o->heuristic));
+    add_metal(text, &o->metal);
     add_line(text, "aov");
     for (int aov = 0; aov < LOBE_AOV_COUNT; aov++)
         if (o->aovs & LOBE_AOV_BIT(aov)) add_line(text, " %s", lobe_aov_name((lobe_aov)aov));

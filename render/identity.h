@@ -5,7 +5,7 @@
 
 #include "lobe/render.h"
 
-enum { IDENTITY_ROOM = 2048, IDENTITY_VALUE_ROOM = 96 };
+enum { IDENTITY_ROOM = 2048, IDENTITY_VALUE_ROOM = 128 };
 
 struct camera;
 

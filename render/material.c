@@ -11,9 +11,7 @@ static vec3 coat_fresnel(const surface *s, float cosine) {
 
 static vec3 fresnel(const surface *s, float cosine) {
     if (!(s->metallic > 0.0f)) return coat_fresnel(s, cosine);
-    /* Schlick's of a black metal: what every colour has of white */
-    const float white = lobe_fresnel_schlick_f32(0.0f, cosine);
-    const vec3 metal = v3_mul(v3_lerp(s->base_color, v3_all(1.0f), white), s->factor);
+    const vec3 metal = v3_mul(lobe_metal_at(s->metal, s->base_color, cosine), s->factor);
     if (s->metallic >= 1.0f) return metal;
     return v3_add(v3_scale(metal, s->metallic), coat_fresnel(s, cosine));
 }
@@ -30,10 +28,6 @@ static float coat_average(const surface *s) {
     float e = s->tint.most_own * lobe_coat_average(&s->coat);
     if (s->tint.most_one != 0.0f) e += s->tint.most_one * (1.0f - s->albedo.missing_average);
     return clampf(e, 0.0f, 0.9999f);
-}
-
-static float fms(float f0, float missing_average) {
-    return lobe_multiscatter_fms_f32(lobe_fresnel_schlick_average_f32(f0), missing_average);
 }
 
 static lobe_albedo_f32 albedo_of(const surface *s, const lobe_reflection_options *o) {
@@ -57,15 +51,18 @@ static float compensate(surface *s, lobe_multiscatter multiscatter,
         s->walk_once = 1.0f - missing;
         return 0.0f;
     }
-    vec3 f0 = s->base_color;
+    const vec3 f0 = s->f0;
     if (multiscatter == LOBE_MULTISCATTER_TURQUIN) {
         s->factor = v3(lobe_multiscatter_turquin_f32(f0.x, missing),
                        lobe_multiscatter_turquin_f32(f0.y, missing),
                        lobe_multiscatter_turquin_f32(f0.z, missing));
         return 0.0f;
     }
-    float average = s->albedo.missing_average;
-    vec3 color = v3(fms(f0.x, average), fms(f0.y, average), fms(f0.z, average));
+    const float average = s->albedo.missing_average;
+    const vec3 f_avg = lobe_metal_average(s->metal, s->base_color);
+    const vec3 color =
+        v3(lobe_multiscatter_fms_f32(f_avg.x, average), lobe_multiscatter_fms_f32(f_avg.y, average),
+           lobe_multiscatter_fms_f32(f_avg.z, average));
     float lobe = lobe_multiscatter_kulla_conty_f32(s->metallic, missing, 1.0f, average);
     s->rest = v3_scale(color, lobe);
     return s->metallic * missing * v3_luminance(color);
@@ -75,7 +72,7 @@ static float compensate(surface *s, lobe_multiscatter multiscatter,
  * base is starved, if it is there. */
 static float specular_probability(const surface *s, float coat_i, float rest) {
     float base = v3_luminance(s->base_color);
-    float specular = s->metallic * base + (1.0f - s->metallic) * coat_i;
+    float specular = s->metallic * v3_luminance(s->f0) + (1.0f - s->metallic) * coat_i;
     float diffuse = (1.0f - s->metallic) * base * (1.0f - coat_i) + rest;
     if (!(specular > 0.0f) && diffuse > 0.0f) return 0.0f;
     return clampf(specular / maxf(specular + diffuse, 1e-6f), 0.1f, 1.0f);
@@ -84,7 +81,7 @@ static float specular_probability(const surface *s, float coat_i, float rest) {
 /* A metal that walks beside a coat and its base: the three in proportion to what they reflect. */
 static void share_walks(surface *s, float coat_i) {
     float base = v3_luminance(s->base_color), rest = 1.0f - s->metallic;
-    float metal = s->metallic * base, diffuse = rest * base * (1.0f - coat_i);
+    float metal = s->metallic * v3_luminance(s->f0), diffuse = rest * base * (1.0f - coat_i);
     s->walks = clampf(metal / maxf(metal + rest * coat_i + diffuse, 1e-6f), 0.1f, 0.9f);
     s->specular = clampf(rest * coat_i / maxf(rest * coat_i + diffuse, 1e-6f), 0.1f, 1.0f);
 }
@@ -112,6 +109,8 @@ void lobe_surface_make(surface *s, const surface_options *options, frame shading
     s->is_matte = 0;
     s->base_color = base_color;
     s->metallic = metallic;
+    s->metal = options->metal;
+    s->f0 = lobe_metal_f0(s->metal, base_color);
     s->ior = options->coat->ior;
     s->tint = options->tint;
     s->base_share_i = 0.0f;
@@ -161,12 +160,6 @@ static lobe_microsurface microsurface_of(const surface *s) {
                                (double)s->ggx.alpha_y};
 }
 
-static void laws_of(const surface *s, lobe_reflectance laws[3]) {
-    const float f0[] = {s->base_color.x, s->base_color.y, s->base_color.z};
-    for (int c = 0; c < 3; c++)
-        laws[c] = (lobe_reflectance){LOBE_REFLECTANCE_SCHLICK, (double)f0[c], 0.0};
-}
-
 static vec3 color_of(const double values[3], float share) {
     return v3((float)values[0] * share, (float)values[1] * share, (float)values[2] * share);
 }
@@ -174,7 +167,7 @@ static vec3 color_of(const double values[3], float share) {
 static vec3 walk_value(const surface *s, vec3 wo) {
     lobe_reflectance laws[3];
     double values[3];
-    laws_of(s, laws);
+    lobe_metal_reflectances(s->metal, s->base_color, laws);
     lobe_walk_eval(microsurface_of(s), laws, 3, in_double(s->ggx.wi), in_double(wo), s->walk_seed,
                    0, WALK_BOUNCES, values);
     return color_of(values, s->metallic);
@@ -201,8 +194,9 @@ void lobe_surface_add_clearcoat(surface *s, clearcoat *room, const surface_optio
                                 float roughness) {
     lobe_reflection_options o = options->ggx;
     o.model.method = method_of(o.model.method, 0.0f, roughness * roughness, 1.0f);
+    const float base = v3_luminance(s->base_color);
     *room = lobe_clearcoat_at(&o, table, shading, s->geometric, to_viewer, share, roughness,
-                              v3_luminance(s->base_color));
+                              base + s->metallic * (v3_luminance(s->f0) - base));
     s->clearcoat = room;
 }
 
@@ -329,7 +323,7 @@ static surface_draw draw_base(const surface *s, float u1, float u2) {
 static surface_draw draw_walk(const surface *s) {
     lobe_reflectance laws[3];
     double weights[3];
-    laws_of(s, laws);
+    lobe_metal_reflectances(s->metal, s->base_color, laws);
     lobe_walk walk = lobe_walk_sample(microsurface_of(s), laws, 3, in_double(s->ggx.wi),
                                       s->walk_seed, 1, WALK_BOUNCES, weights);
     vec3 wo = v3((float)walk.wo.x, (float)walk.wo.y, (float)walk.wo.z);

@@ -1,6 +1,6 @@
 /* Reflection at a point: a GGX coat or metal over a diffuse base (glTF 2.0), as one density.
  *
- * Metal and coat share one GGX: F = metallic * Schlick(base colour) + (1 - metallic) * dielectric.
+ * Metal and coat share one GGX: F = metallic * metal (metal.h) + (1 - metallic) * dielectric.
  * The base gets what the coat lets through (Kelemen & Szirmay-Kalos 2001):
  * f = base (1 - E(i)) (1 - E(o)) / (pi (1 - E_avg)), E the albedo of the coat as the table of coat.h
  * has it, in the channel that reflects most, E_avg its exact average. A white dielectric then reflects 1 + (true E - E of the table):
@@ -22,6 +22,7 @@
 #include "lobe/fresnel.h"
 #include "lobe/render.h"
 #include "lobe/walk.h"
+#include "metal.h"
 
 typedef struct surface {
     frame frame;    /* shading */
@@ -30,6 +31,8 @@ typedef struct surface {
     lobe_reflection_f32 ggx; /* wi is in the shading frame */
     vec3 base_color;
     float metallic;
+    const metal *metal; /* NULL: Schlick's */
+    vec3 f0;            /* of the metal */
     float ior;
     coat coat;
     coat_tint tint;
@@ -60,6 +63,7 @@ typedef struct surface_options {
     const coat_table *coat;
     lobe_multiscatter multiscatter;
     coat_tint tint;
+    const metal *metal; /* NULL: Schlick's */
 } surface_options;
 
 /* `to_viewer`: unit, world, on the front of `geometric`. `random`: of the walks. */

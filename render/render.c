@@ -56,6 +56,7 @@ typedef struct job {
     const lobe_scene *scene;
     const lobe_render_options *options;
     integrator integrator;
+    metal metal;
     const camera *camera;
     vec3 eye, forward, right, up; /* right and up reach to the edge of the picture */
     float filter[FILTER_STEPS + 1];
@@ -180,6 +181,10 @@ static lobe_render_result check_options(const lobe_render_options *o) {
             LOBE_RENDER_BAD_INPUT,
             "multiscatter: walks are known for --masking smith --g2 correlated only; use "
             "another");
+    if (!lobe_metal_is_usable(&o->metal))
+        return lobe_fail(LOBE_RENDER_BAD_INPUT,
+                         "metal: a tint or an index is out of range; see lobe_metal in "
+                         "lobe/render.h");
     if (!is_offered(model) || (unsigned)o->multiscatter > LOBE_MULTISCATTER_WALK ||
         !(o->reflection.floor >= 0.0 && o->reflection.floor <= 1.0) ||
         (unsigned)o->heuristic >= 4u || !(o->time_limit >= 0.0) || !(o->noise >= 0.0) ||
@@ -333,20 +338,21 @@ static lobe_render_result lead(crew *c, lobe_film **film, lobe_render_statistics
 static lobe_render_result render_with(const coat_table *const *coats, const lobe_scene *scene,
                                       const lobe_render_options *options, ray_log *log,
                                       lobe_film **film, lobe_render_statistics *statistics) {
-    job j = {.scene = scene, .options = options};
+    job j = {.scene = scene, .options = options, .metal = lobe_metal_prepare(&options->metal)};
     crew c = {.options = options,
               .render = render_tile,
               .user = &j,
               .start = lobe_clock(),
               .before.cpu_seconds = -lobe_cpu_clock()};
-    j.integrator = (integrator){scene,
-                                {.ggx = options->reflection, .multiscatter = options->multiscatter},
-                                coats,
-                                options->heuristic,
-                                options->depth,
-                                options->roulette_depth,
-                                (options->aovs & LOBE_AOV_BIT(LOBE_AOV_VNDF_INTEGRAL)) != 0,
-                                log};
+    j.integrator = (integrator){
+        scene,
+        {.ggx = options->reflection, .multiscatter = options->multiscatter, .metal = &j.metal},
+        coats,
+        options->heuristic,
+        options->depth,
+        options->roulette_depth,
+        (options->aovs & LOBE_AOV_BIT(LOBE_AOV_VNDF_INTEGRAL)) != 0,
+        log};
     char identity[IDENTITY_ROOM] = "";
     lobe_render_result result = aim(&j);
     if (result == LOBE_RENDER_OK) {

@@ -15,8 +15,8 @@
  * World: right-handed, Y up, as in glTF. Colours are linear, with the primaries of sRGB.
  * Environment: direction d lies at u = 1/2 + atan2(d.z, d.x)/(2 pi), v = acos(d.y)/pi from the top
  * row, texels centred.
- * Materials are those of glTF 2.0: a metal is GGX with Schlick's Fresnel (f0 = base colour), a
- * dielectric is a GGX coat (of index 1.5 where the file has none) over a diffuse base, `metallic` blends the two. The base
+ * Materials are those of glTF 2.0: a metal is GGX with Schlick's Fresnel (f0 = base colour; or another law:
+ * lobe_metal), a dielectric is a GGX coat (of index 1.5 where the file has none) over a diffuse base, `metallic` blends the two. The base
  * receives what the coat lets through: a white dielectric reflects all light and never more, at any
  * roughness, angle and anisotropy (0.99 to 1.001; from 0.985 at an anisotropy of 0.6, from 0.95 at
  * 0.95). Every opaque surface is two-sided.
@@ -221,12 +221,39 @@ typedef enum lobe_multiscatter {
     LOBE_MULTISCATTER_WALK
 } lobe_multiscatter;
 
+/* What the facets of metals reflect, for all metals of the scene: Schlick's F or that with the F82 tint
+ * (lobe/fresnel.h), both of the base colour straight ahead; or the exact F of a conductor, which takes the place
+ * of the base colour and its texture where a surface is metal. Of a partly metallic surface it is so for that part;
+ * the base below the coat keeps its colour. */
+typedef enum lobe_metal_law {
+    LOBE_METAL_SCHLICK,
+    LOBE_METAL_F82,
+    LOBE_METAL_CONDUCTOR
+} lobe_metal_law;
+
+#define LOBE_METAL_N_MIN 1e-3f
+#define LOBE_METAL_INDEX_MAX 1e3f
+
+/* By channel: red, green, blue. Only what the law takes is read. */
+typedef struct lobe_metal {
+    lobe_metal_law law;
+    float tint[3]; /* F82, [0, 1] */
+    float n[3];    /* conductor, LOBE_METAL_N_MIN to LOBE_METAL_INDEX_MAX */
+    float k[3];    /* conductor, 0 to LOBE_METAL_INDEX_MAX */
+} lobe_metal;
+
+/* Conductors of measured indices at 650, 550 and 450 nm: "gold", "copper", … (render/metal_names.c names the
+ * sources). 0: there is none of this name. An index out of range gives NULL. */
+LOBE_API int lobe_metal_from_name(const char *name, lobe_metal *metal);
+LOBE_API const char *lobe_metal_name(size_t index);
+
 /* reflection.model.method may be LOBE_METHOD_COUNT, the default: by surface. Of Smith-GGX dielectrics and metals
  * of an alpha below 0.1 then take bounded caps and other metals horizon sampling, uniform where the shading
  * normal is tilted by 10 degrees or more; any other distribution takes its best method. */
 typedef struct lobe_render_options {
     lobe_reflection_options reflection; /* default Smith-GGX by LOBE_METHOD_COUNT; floor 0.25 */
     lobe_multiscatter multiscatter;     /* WALK: Smith, correlated only; default NONE */
+    lobe_metal metal;                   /* default LOBE_METAL_SCHLICK */
     int width, height;                  /* pixels, 1 to LOBE_RENDER_SIZE_MAX; default 960 x 540 */
     uint32_t samples;   /* camera paths a pixel, 1 to LOBE_RENDER_SAMPLES_MAX; default 64 */
     int depth;          /* greatest number of surface scatterings on a path, 0 to 1000000; 8 */

@@ -14,8 +14,9 @@ static const double PI = 3.14159265358979323846;
 
 static surface surface_of(const coat_table *table, float roughness, float anisotropy, double cosine,
                           double azimuth, float color) {
-    surface_options options = {lobe_reflection_default_options(), table, LOBE_MULTISCATTER_NONE,
-                               lobe_coat_tint(table->ior, 1.0f, v3_all(1.0f))};
+    surface_options options = {.ggx = lobe_reflection_default_options(),
+                               .coat = table,
+                               .tint = lobe_coat_tint(table->ior, 1.0f, v3_all(1.0f))};
     frame shading = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     double plane = sqrt(1 - cosine * cosine);
     vec3 wi = {(float)(plane * cos(azimuth)), (float)(plane * sin(azimuth)), (float)cosine};
