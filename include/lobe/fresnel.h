@@ -18,7 +18,7 @@ LOBE_API double lobe_fresnel_schlick_average_f64(double f0);
 
 /* Schlick with a chosen reflectance near 82 degrees (Kutz et al. 2021, OpenPBR): at cos_i = 1/7 it is
  * `tint` times Schlick's value there. f0 and tint in [0, 1]. Below a tint of 0.52 F may reach 0 over a range of
- * angles, which the average does not know: it is too small by up to 9e-4 for f0 from 0.4, 8e-3 from 0.1, 0.022. */
+ * angles, which the average does not know: it is too small by up to 9e-4 for f0 from 0.4, 8e-3 from 0.1, 0.017. */
 LOBE_API float lobe_fresnel_f82_f32(float f0, float tint, float cos_i);
 LOBE_API double lobe_fresnel_f82_f64(double f0, double tint, double cos_i);
 LOBE_API float lobe_fresnel_f82_average_f32(float f0, float tint);

@@ -3,6 +3,7 @@ import base64
 import json
 import os
 import random
+import re
 import resource
 import signal
 import struct
@@ -33,6 +34,10 @@ BAD_VALUES = {
     "--aov": ["", "albedo,", "colour", ",normal", "a" * 100],
     "--material": ["1,1,1,1", "1,1,1,1,2", "-1,0,0,0,0", "gold", ""],
     "--method": ["best", ""],
+    "--metal": ["", "goldd", "Gold", "schlick,", "f82", "f82:", "f82:2,0,0", "f82:0,0,-0.1", "f82:nan,0,0",
+                "f82:1,1", "f82:1,1,1,1", "conductor:", "conductor:1,1,1,1,1", "conductor:0,1,1,1,1,1",
+                "conductor:1,1,1,-1,1,1", "conductor:1,1,1,1,1,inf", "conductor:1,1,1,1,1,1e9",
+                "conductor:1,1,1,1,1,1,1", "conductor:1 1 1 1 1 1", "x" * 5000],
     "--heuristic": ["veach", ""],
     "--g2": ["x"],
     "--normalization": ["x"],
@@ -94,7 +99,10 @@ class PictureTest(RenderTest):
                                ("gallery", "--exposure", "0.5"),
                                ("gallery", "--multiscatter", "kulla-conty"),
                                ("gallery", "--multiscatter", "turquin"),
-                               ("gallery", "--multiscatter", "walk")):
+                               ("gallery", "--multiscatter", "walk"),
+                               ("gallery", "--metal", "f82:0.8,0.7,0.6"),
+                               ("gallery", "--metal", "conductor:0.2,2,1.5,3.6,3.1,2"),
+                               ("gallery", "--metal", "gold")):
             pictures = set()
             for extra in ([], option):
                 samples = [] if "--spp" in extra else ["--spp", "2"]
@@ -102,6 +110,25 @@ class PictureTest(RenderTest):
                           self.path("a.pfm"))
                 pictures.add(Path(self.path("a.pfm")).read_bytes())
             self.assertEqual(len(pictures), 2, option)
+
+    def test_metals(self):
+        """Schlick is the default; a metal is its numbers; the names that an error offers are those of --help."""
+        self.assertEqual(self.render("a.exr"), self.render("b.exr", "--metal", "schlick"))
+        gold = self.render("a.exr", "--metal", "gold")
+        self.assertEqual(gold, self.render("b.exr", "--metal",
+                                           "conductor:0.156,0.424,1.383,3.602,2.472,1.915"))
+        self.assertIn(b"metal conductor:0.156", gold)
+        offered = run("render", "gallery", *SMALL, "--json", "--metal", "x").stderr.decode()
+        names = re.findall(r"[a-z]{4,}", offered.split("KB")[-1])
+        self.assertEqual(len(names), 8)
+        text = " ".join(self.done("render", "--help").decode().split())
+        self.assertIn(", ".join(names), text)
+        self.assertEqual(len({self.render("a.pfm", "--metal", name) for name in names}), 8)
+
+    def test_pictures_of_other_metals_are_not_joined(self):
+        self.render("a.exr", "--metal", "gold")
+        self.render("b.exr", "--metal", "silver", "--seed", "2")
+        self.rejected("merge", self.path("a.exr"), self.path("b.exr"), "-o", self.path("c.exr"))
 
     def test_environment_turns(self):
         panorama = self.path("panorama.pfm")

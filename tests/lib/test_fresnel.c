@@ -38,6 +38,25 @@ static void averages_are_the_integrals(void **state) {
     }
 }
 
+/* Where a dark tint is clamped, as far off as lobe/fresnel.h says, and never negative. */
+static void clamped_averages_are_bounded(void **state) {
+    (void)state;
+    enum { STEPS = 1000 };
+    for (double f0 = 0; f0 <= 1; f0 += 1.0 / 64)
+        for (double tint = 0; tint <= 1; tint += 1.0 / 16) {
+            double q = 0;
+            for (int i = 0; i < STEPS; ++i) {
+                const double mu = (i + 0.5) / STEPS;
+                q += 2 * mu * lobe_fresnel_f82_f64(f0, tint, mu) / STEPS;
+            }
+            const double below = q - lobe_fresnel_f82_average_f64(f0, tint);
+            const double most = tint > 0.52 ? 0 : f0 >= 0.4 ? 9e-4 : f0 >= 0.1 ? 8e-3 : 0.017;
+            if (!(below > -2e-6 && below < most + 2e-6))
+                fail_msg("f0 %g, tint %g: %g below", f0, tint, below);
+            assert_true(lobe_fresnel_f82_average_f32((float)f0, (float)tint) >= 0.0f);
+        }
+}
+
 static void known_values(void **state) {
     (void)state;
     assert_near(lobe_fresnel_dielectric_f64(1.5, 1), 0.04, 1e-15);
@@ -69,6 +88,7 @@ static void float_follows_double(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(averages_are_the_integrals),
+                                       cmocka_unit_test(clamped_averages_are_bounded),
                                        cmocka_unit_test(known_values),
                                        cmocka_unit_test(float_follows_double)};
     return cmocka_run_group_tests(tests, NULL, NULL);

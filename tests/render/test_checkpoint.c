@@ -155,11 +155,11 @@ static void other_options_are_named(void **state) {
     lobe_film_free(render(scene, good, NULL));
     good.checkpoint = NULL;
     good.resume = path;
-    lobe_render_options o[12];
-    static const char *const names[] = {"spp",          "depth",     "size", "seed",
-                                        "part",         "roulette",  "aov",  "method",
-                                        "multiscatter", "heuristic", "g2",   "floor"};
-    for (int i = 0; i < 12; i++) o[i] = good;
+    lobe_render_options o[13];
+    static const char *const names[] = {"spp",      "depth", "size",   "seed",         "part",
+                                        "roulette", "aov",   "method", "multiscatter", "heuristic",
+                                        "g2",       "floor", "metal"};
+    for (int i = 0; i < 13; i++) o[i] = good;
     o[0].samples++;
     o[1].depth++;
     o[2].height++;
@@ -172,8 +172,9 @@ static void other_options_are_named(void **state) {
     o[9].heuristic = LOBE_HEURISTIC_POWER;
     o[10].reflection.g2 = LOBE_G2_SEPARABLE;
     o[11].reflection.floor = 0.5;
+    assert_true(lobe_metal_from_name("gold", &o[12].metal));
     lobe_film *film;
-    for (int i = 0; i < 12; i++) {
+    for (int i = 0; i < 13; i++) {
         char expected[32];
         snprintf(expected, sizeof expected, "its %s is ", names[i]);
         assert_int_equal(lobe_render(scene, o[i], &film, NULL), LOBE_RENDER_BAD_INPUT);
