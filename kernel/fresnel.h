@@ -121,7 +121,9 @@ K_FN real fresnel_conductor(real n, real k, real cos_i) {
     real k2 = k * k;
     real t0 = n2 - k2 - s2;
     real a2b2 = k_sqrt(t0 * t0 + R(4.0) * n2 * k2);
-    real a = k_sqrt(k_max(R(0.5) * (a2b2 + t0), R(0.0)));
+    /* a b = n k: of a small n the sum would cancel */
+    real small = R(2.0) * n2 * k2 / k_max(a2b2 - t0, K_TINY);
+    real a = k_sqrt(k_select(t0 < R(0.0), small, R(0.5) * (a2b2 + t0)));
     real sum_s = a2b2 + c2;
     real cross_s = R(2.0) * a * c;
     real r_s = (sum_s - cross_s) / k_max(sum_s + cross_s, K_TINY);
@@ -129,6 +131,24 @@ K_FN real fresnel_conductor(real n, real k, real cos_i) {
     real cross_p = cross_s * s2;
     real r_p = r_s * (sum_p - cross_p) / k_max(sum_p + cross_p, K_TINY);
     return k_saturate(R(0.5) * (r_s + r_p));
+}
+
+/* 4 * integral of F(t^2) t^3 dt by Gauss's rule of 12 points: near grazing F turns like a root of mu. */
+K_FN real fresnel_conductor_average(real n, real k) {
+    real sum = R(7.3942299226975769581e-8) * fresnel_conductor(n, k, R(0.000085002552345815733853));
+    sum =
+        sum + R(0.000023566701939840387638) * fresnel_conductor(n, k, R(0.0022983751314813111136));
+    sum = sum + R(0.00048753664411992414616) * fresnel_conductor(n, k, R(0.013236194835733074551));
+    sum = sum + R(0.003569774745543504626) * fresnel_conductor(n, k, R(0.042576617713545591736));
+    sum = sum + R(0.014747267884508245629) * fresnel_conductor(n, k, R(0.099909253414721962344));
+    sum = sum + R(0.041693880360698576164) * fresnel_conductor(n, k, R(0.19130414739611565601));
+    sum = sum + R(0.088740854182789153998) * fresnel_conductor(n, k, R(0.31653755590758457149));
+    sum = sum + R(0.14938631475724847941) * fresnel_conductor(n, k, R(0.4677407524129021561));
+    sum = sum + R(0.20313552200998915383) * fresnel_conductor(n, k, R(0.62989457200016303903));
+    sum = sum + R(0.22188130216423344226) * fresnel_conductor(n, k, R(0.78313886903003776159));
+    sum = sum + R(0.18456889747839710575) * fresnel_conductor(n, k, R(0.90641563150195616779));
+    sum = sum + R(0.091765009128233346835) * fresnel_conductor(n, k, R(0.98164563679906506642));
+    return sum;
 }
 
 #endif

@@ -31,3 +31,7 @@ real LOBE_NAME(fresnel_dielectric_average)(real ior) {
 real LOBE_NAME(fresnel_conductor)(real n, real k, real cos_i) {
     return fresnel_conductor(n, k, cos_i);
 }
+
+real LOBE_NAME(fresnel_conductor_average)(real n, real k) {
+    return fresnel_conductor_average(n, k);
+}

@@ -30,7 +30,8 @@ typedef struct lobe_reflectance {
 
 LOBE_API lobe_reflectance lobe_reflectance_one(void);
 LOBE_API double lobe_reflectance_at(lobe_reflectance f, double cos_i);
-/* 2 * integral of F(mu) mu dmu: closed forms; the conductor by quadrature, to 1e-9. */
+/* 2 * integral of F(mu) mu dmu: closed forms; the conductor by quadrature, to 1e-9 for n from 1.2 or k from 1, 3e-8
+ * from a k of 0.5. Below both F may have a kink: 4e-3. */
 LOBE_API double lobe_reflectance_average(lobe_reflectance f);
 
 typedef struct lobe_microsurface {

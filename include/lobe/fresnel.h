@@ -2,7 +2,7 @@
  *
  * `cos_i` is the cosine between the direction and the microfacet normal, clamped to [0, 1]. Every
  * result lies in [0, 1] for inputs in their range. An average is 2 * integral of F(mu) mu dmu over
- * [0, 1], in closed form. */
+ * [0, 1], in closed form but for conductors. */
 #ifndef LOBE_FRESNEL_H
 #define LOBE_FRESNEL_H
 
@@ -31,10 +31,13 @@ LOBE_API double lobe_fresnel_dielectric_f64(double ior, double cos_i);
 LOBE_API float lobe_fresnel_dielectric_average_f32(float ior);
 LOBE_API double lobe_fresnel_dielectric_average_f64(double ior);
 
-/* Exact, unpolarised, conductor of index n + i k (n > 0, k >= 0). No closed form of the average is
- * known. */
+/* Exact, unpolarised, conductor of index n + i k (n > 0, k >= 0). The average is a weighted sum of twelve values:
+ * within 1e-6 for k from 0.5 or n from 1.2, both up to 1000; of neither (no metal in visible light) within 0.06.
+ * lobe_reflectance_average (lobe/albedo.h) has more digits. */
 LOBE_API float lobe_fresnel_conductor_f32(float n, float k, float cos_i);
 LOBE_API double lobe_fresnel_conductor_f64(double n, double k, double cos_i);
+LOBE_API float lobe_fresnel_conductor_average_f32(float n, float k);
+LOBE_API double lobe_fresnel_conductor_average_f64(double n, double k);
 
 LOBE_END_C
 
