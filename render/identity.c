@@ -46,7 +46,7 @@ static XXH64_hash_t hash_sky(const lobe_scene *s) {
 }
 
 /* What was read, not the files: a scene that moved is the same scene. None of these structures has padding. */
-static void add_scene(char *text, const lobe_scene *s, const camera *c) {
+static void add_scene(char *text, const lobe_scene *s, const lobe_view *c) {
     if (isfinite(s->frame_time)) add_line(text, "frame-time %.17g\n", s->frame_time);
     const XXH64_hash_t places =
         XXH3_64bits(s->vertices, (size_t)s->vertex_count * sizeof *s->vertices);
@@ -74,6 +74,8 @@ static void add_options(char *text, const lobe_render_options *o) {
     const lobe_reflection_options *r = &o->reflection;
     add_line(text, "size %dx%d\nspp %u\ndepth %d\nroulette %d\n", o->width, o->height, o->samples,
              o->depth, o->roulette_depth);
+    if (o->aperture > 0.0f)
+        add_line(text, "aperture %.9g\nfocus %.9g\n", (double)o->aperture, (double)o->focus);
     add_line(text, "ndf %s\nmasking %s\nmethod %s\n", lobe_ndf_name(r->model.ndf),
              lobe_masking_name(r->model.masking), lobe_render_method_name(r->model.method));
     add_line(text, "floor %.9g\ng2 %s\nnormalization %s\n", (double)r->floor,
@@ -87,11 +89,11 @@ static void add_options(char *text, const lobe_render_options *o) {
     add_line(text, "%s\n", o->aovs ? "" : " none");
 }
 
-void lobe_identity_write(char text[IDENTITY_ROOM], const lobe_scene *scene, const camera *camera,
+void lobe_identity_write(char text[IDENTITY_ROOM], const lobe_scene *scene, const lobe_view *view,
                          const lobe_render_options *options) {
     memset(text, 0, IDENTITY_ROOM);
     add_line(text, "version %s\nbits %d\n", LOBE_VERSION_STRING, PICTURE_BITS);
-    add_scene(text, scene, camera);
+    add_scene(text, scene, view);
     add_options(text, options);
 }
 

@@ -8,6 +8,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "camera_rays.h"
 #include "crew.h"
 #include "integrator.h"
 #include "ranks.h"
@@ -56,8 +57,8 @@ typedef struct job {
     const lobe_scene *scene;
     const lobe_render_options *options;
     integrator integrator;
-    const camera *camera;
-    vec3 eye, forward, right, up; /* right and up reach to the edge of the picture */
+    lobe_view view;
+    camera_rays camera;
     float filter[FILTER_STEPS + 1];
 } job;
 
@@ -91,9 +92,10 @@ static film_sample render_sample(const job *j, int x, int y, sampler points, uin
     sampler_point p = lobe_sampler_next(&points);
     float px = ((float)x + 0.5f + filter_offset(j, p.bits[0])) / (float)o->width * 2.0f - 1.0f;
     float py = 1.0f - ((float)y + 0.5f + filter_offset(j, p.bits[1])) / (float)o->height * 2.0f;
-    vec3 d = v3_add(j->forward, v3_add(v3_scale(j->right, px), v3_scale(j->up, py)));
-    film_sample sample =
-        lobe_trace_path(&j->integrator, j->eye, v3_normalize_or(d, j->forward), &points, rays);
+    vec3 origin, direction;
+    lobe_camera_ray(&j->camera, px, py, sampler_unit(p.bits[2]), sampler_unit(p.bits[3]), &origin,
+                    &direction);
+    film_sample sample = lobe_trace_path(&j->integrator, origin, direction, &points, rays);
     sample.is_first_half = lobe_film_is_first_half(points.index);
     return sample;
 }
@@ -117,25 +119,39 @@ static void render_tile(const void *user, const unit *u, lobe_film *tile, uint64
         }
 }
 
-static lobe_render_result aim(job *j) {
-    const lobe_render_options *o = j->options;
-    const camera *c = &j->scene->cameras[0];
-    if (o->camera) {
-        uint32_t i = 0;
-        while (i < j->scene->camera_count && strcmp(j->scene->cameras[i].name, o->camera) != 0) i++;
-        if (i == j->scene->camera_count)
-            return lobe_fail(LOBE_RENDER_BAD_INPUT,
-                             "%s: no camera named %s; without a name the first one is taken",
-                             j->scene->name, o->camera);
-        c = &j->scene->cameras[i];
-    }
-    j->camera = c;
-    float height = tanf(0.5f * c->vertical_degrees * (LOBE_PI / 180.0f));
-    j->eye = c->position;
-    j->forward = v3_normalize_or(v3_sub(c->target, c->position), v3(0.0f, 0.0f, -1.0f));
-    vec3 right = v3_normalize_or(v3_cross(j->forward, c->up), v3_across(j->forward));
-    j->right = v3_scale(right, height * (float)o->width / (float)o->height);
-    j->up = v3_scale(v3_cross(right, j->forward), height);
+float lobe_lens_radius(float f_number, float vertical_degrees) {
+    const float half_height = 0.012f; /* metres */
+    return half_height / (2.0f * f_number * tanf(0.5f * vertical_degrees * (LOBE_PI / 180.0f)));
+}
+
+float lobe_scene_focus(const lobe_scene *scene, const lobe_view *view) {
+    const camera_rays c = lobe_camera_rays(view, 1, 1);
+    lobe_ray_surface surface;
+    return lobe_first_surface(scene, c.eye, c.forward, &surface) ? surface.distance : 0.0f;
+}
+
+/* What was asked for, or what follows from the view. */
+static lobe_render_result find_lens(const lobe_scene *scene, const lobe_view *view,
+                                    lobe_render_options *o) {
+    if (o->f_number > 0.0f) o->aperture = lobe_lens_radius(o->f_number, view->vertical_degrees);
+    if (o->aperture > 0.0f && o->focus == 0.0f) o->focus = lobe_scene_focus(scene, view);
+    if (o->aperture > 0.0f && o->focus == 0.0f)
+        return lobe_fail(LOBE_RENDER_BAD_INPUT,
+                         "%s: nothing to focus on in the middle of the picture; give a distance",
+                         scene->name);
+    return LOBE_RENDER_OK;
+}
+
+static lobe_render_result aim(job *j, lobe_render_options *o) {
+    lobe_render_result result = LOBE_RENDER_OK;
+    if (o->view)
+        j->view = *o->view;
+    else
+        result = lobe_scene_view(j->scene, o->camera, &j->view);
+    if (result == LOBE_RENDER_OK) result = find_lens(j->scene, &j->view, o);
+    if (result != LOBE_RENDER_OK) return result;
+    j->camera = lobe_camera_rays(&j->view, o->width, o->height);
+    if (o->aperture > 0.0f) lobe_camera_add_lens(&j->camera, o->aperture, o->focus);
     return LOBE_RENDER_OK;
 }
 
@@ -151,6 +167,18 @@ static lobe_method method_or_best(lobe_model model) {
 static int is_offered(lobe_model model) {
     model.method = method_or_best(model);
     return lobe_model_exists(model);
+}
+
+static int is_view(const lobe_view *v) {
+    return v3_is_finite(v->position) && v3_is_finite(v->target) && v3_is_finite(v->up) &&
+           v->vertical_degrees > 0.0f && v->vertical_degrees < 180.0f;
+}
+
+/* Whose reciprocals are finite too. */
+static int is_lens(const lobe_render_options *o) {
+    return o->aperture >= 0.0f && o->aperture <= 1e15f && o->f_number >= 0.0f &&
+           o->f_number <= 1e15f && (o->f_number == 0.0f || o->f_number >= 1e-3f) &&
+           (o->focus == 0.0f || (o->focus >= 1e-15f && o->focus <= 1e15f));
 }
 
 static lobe_render_result check_options(const lobe_render_options *o) {
@@ -182,8 +210,8 @@ static lobe_render_result check_options(const lobe_render_options *o) {
             "another");
     if (!is_offered(model) || (unsigned)o->multiscatter > LOBE_MULTISCATTER_WALK ||
         !(o->reflection.floor >= 0.0 && o->reflection.floor <= 1.0) ||
-        (unsigned)o->heuristic >= 4u || !(o->time_limit >= 0.0) || !(o->noise >= 0.0) ||
-        !(o->checkpoint_seconds >= 0.0))
+        (unsigned)o->heuristic >= 4u || (o->view && !is_view(o->view)) || !is_lens(o) ||
+        !(o->time_limit >= 0.0) || !(o->noise >= 0.0) || !(o->checkpoint_seconds >= 0.0))
         return lobe_fail(LOBE_RENDER_BAD_INPUT,
                          "options: a value is out of range; see lobe/render.h");
     return LOBE_RENDER_OK;
@@ -244,6 +272,8 @@ static lobe_render_result check_resumed(const lobe_film *film, const lobe_render
     char value[32], wanted[32];
     if (lobe_identity_differs(identity, m->identity, NULL, &d))
         return refuse(o->resume, d.key, d.other, d.value);
+    if (lobe_identity_differs(m->identity, identity, NULL, &d)) /* a line too many */
+        return refuse(o->resume, d.key, d.value, d.other);
     snprintf(wanted, sizeof wanted, "%llu", (unsigned long long)o->seed);
     snprintf(value, sizeof value, "%llu", (unsigned long long)m->seeds[0]);
     if (m->seed_count != 1) return refuse(o->resume, "seed", "more than one", wanted);
@@ -331,8 +361,8 @@ static lobe_render_result lead(crew *c, lobe_film **film, lobe_render_statistics
 }
 
 static lobe_render_result render_with(const coat_table *const *coats, const lobe_scene *scene,
-                                      const lobe_render_options *options, ray_log *log,
-                                      lobe_film **film, lobe_render_statistics *statistics) {
+                                      lobe_render_options *options, ray_log *log, lobe_film **film,
+                                      lobe_render_statistics *statistics) {
     job j = {.scene = scene, .options = options};
     crew c = {.options = options,
               .render = render_tile,
@@ -348,10 +378,10 @@ static lobe_render_result render_with(const coat_table *const *coats, const lobe
                                 (options->aovs & LOBE_AOV_BIT(LOBE_AOV_VNDF_INTEGRAL)) != 0,
                                 log};
     char identity[IDENTITY_ROOM] = "";
-    lobe_render_result result = aim(&j);
+    lobe_render_result result = aim(&j, options);
     if (result == LOBE_RENDER_OK) {
         make_filter(j.filter);
-        lobe_identity_write(identity, scene, j.camera, options);
+        lobe_identity_write(identity, scene, &j.view, options);
     }
     if (result == LOBE_RENDER_OK && lobe_ranks_own() == 0) result = open_film(&c, &j, identity);
     result = lobe_ranks_agree(result);

@@ -161,6 +161,22 @@ LOBE_API const char *lobe_scene_part_name(lobe_scene_part part);   /* "mesh", â€
 /* Names of the cameras that the file brings; an index out of range gives NULL. */
 LOBE_API const char *lobe_scene_camera_name(const lobe_scene *scene, size_t index);
 
+/* Where a picture is seen from. */
+typedef struct lobe_view {
+    lobe_vec3_f32 position, target, up; /* up: not along the view */
+    float vertical_degrees;             /* from the lower edge to the upper one, in (0, 180) */
+} lobe_view;
+
+/* A camera of the scene; NULL: its first, else framed. LOBE_RENDER_BAD_INPUT: no such name. */
+LOBE_API lobe_render_result lobe_scene_view(const lobe_scene *scene, const char *camera,
+                                            lobe_view *view);
+
+/* How far away is what the middle of the picture shows; 0: nothing is there. */
+LOBE_API float lobe_scene_focus(const lobe_scene *scene, const lobe_view *view);
+
+/* Radius of the lens, in metres, of a camera whose picture is 24 mm high. */
+LOBE_API float lobe_lens_radius(float f_number, float vertical_degrees);
+
 /* ---- Extra channels -------------------------------------------------------------------------- */
 
 /* X(IDENTIFIER, "name", channels, "what it is"), all averaged over the samples of a pixel. */
@@ -235,6 +251,17 @@ typedef struct lobe_render_options {
     int threads;        /* 0: as many as OpenMP offers; default 0 */
     double time_limit;  /* seconds, then stop with what is finished; 0: none; default 0 */
     const char *camera; /* name of a camera of the file; NULL: its first, else framed */
+
+    /* Where to look from, in place of `camera`; NULL, the default: none. */
+    const lobe_view *view;
+    /* Radius of a thin lens, in the scene's unit, at most 1e15; 0, the default: a pinhole, all is sharp. */
+    float aperture;
+    /* Not 0: the aperture is lobe_lens_radius of it, a unit being a metre; 0.001 to 1e15; default 0. */
+    float f_number;
+    /* Where the picture of a lens is sharp: distance of a plane across the view, 1e-15 to 1e15; 0, the default:
+     * lobe_scene_focus of the view, and LOBE_RENDER_BAD_INPUT if nothing is there. */
+    float focus;
+
     lobe_heuristic heuristic; /* default LOBE_HEURISTIC_BALANCE */
     uint32_t aovs;            /* LOBE_AOV_BIT(â€¦) of the extra channels to keep; default 0 */
     lobe_progress_function progress; /* NULL: none */

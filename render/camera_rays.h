@@ -1,0 +1,26 @@
+/* A camera for pictures of one shape: from a place of the picture to a ray, and back. */
+#ifndef LOBE_RENDER_CAMERA_RAYS_H
+#define LOBE_RENDER_CAMERA_RAYS_H
+
+#include "lobe/render.h"
+#include "vector.h"
+
+typedef struct camera_rays {
+    vec3 eye, forward, right, up; /* right and up reach to the edge of the picture */
+    vec3 lens_right, lens_up;     /* radii of the lens */
+    float closeness;              /* 1/distance of the plane that is sharp */
+    int has_lens;
+} camera_rays;
+
+/* A pinhole. */
+camera_rays lobe_camera_rays(const lobe_view *view, int width, int height);
+
+/* Put a thin lens into the pinhole, sharp at `focus` along the axis. */
+void lobe_camera_add_lens(camera_rays *c, float radius, float focus);
+
+/* The ray of the place (x, y) of the picture, each from -1 to 1, y upward; u and v in [0, 1) choose the place on the
+ * lens. */
+void lobe_camera_ray(const camera_rays *c, float x, float y, float u, float v, vec3 *origin,
+                     vec3 *direction);
+
+#endif
