@@ -18,6 +18,11 @@ const char *lobe_exr_components(lobe_aov aov) {
     return components[aov];
 }
 
+void lobe_exr_options(char text[EXR_OPTIONS_ROOM], const char *identity, float exposure) {
+    snprintf(text, EXR_OPTIONS_ROOM, "%s", identity);
+    if (exposure != 0.0f) snprintf(text + strlen(text), 32, "exposure %.9g\n", (double)exposure);
+}
+
 enum { CHANNELS_MAX = 4 + 3 * LOBE_AOV_COUNT };
 
 typedef struct planes {

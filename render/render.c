@@ -10,6 +10,7 @@
 
 #include "camera_rays.h"
 #include "crew.h"
+#include "exr_film.h"
 #include "integrator.h"
 #include "ranks.h"
 
@@ -142,17 +143,20 @@ static lobe_render_result find_lens(const lobe_scene *scene, const lobe_view *vi
     return LOBE_RENDER_OK;
 }
 
-static lobe_render_result aim(job *j, lobe_render_options *o) {
+static lobe_render_result find_view(const lobe_scene *scene, lobe_render_options *o,
+                                    lobe_view *view) {
     lobe_render_result result = LOBE_RENDER_OK;
     if (o->view)
-        j->view = *o->view;
+        *view = *o->view;
     else
-        result = lobe_scene_view(j->scene, o->camera, &j->view);
-    if (result == LOBE_RENDER_OK) result = find_lens(j->scene, &j->view, o);
-    if (result != LOBE_RENDER_OK) return result;
+        result = lobe_scene_view(scene, o->camera, view);
+    return result == LOBE_RENDER_OK ? find_lens(scene, view, o) : result;
+}
+
+static void aim(job *j) {
+    const lobe_render_options *o = j->options;
     j->camera = lobe_camera_rays(&j->view, o->width, o->height);
     if (o->aperture > 0.0f) lobe_camera_add_lens(&j->camera, o->aperture, o->focus);
-    return LOBE_RENDER_OK;
 }
 
 const char *lobe_render_method_name(lobe_method method) {
@@ -265,19 +269,26 @@ static lobe_render_result refuse(const char *path, const char *key, const char *
                      path, key, value, wanted);
 }
 
-static lobe_render_result check_resumed(const lobe_film *film, const lobe_render_options *o,
-                                        const char *identity) {
-    const film_metadata *m = &film->metadata;
+static lobe_render_result check_same(const char *path, const film_metadata *m,
+                                     const lobe_render_options *o, const char *identity) {
     identity_difference d;
     char value[32], wanted[32];
     if (lobe_identity_differs(identity, m->identity, NULL, &d))
-        return refuse(o->resume, d.key, d.other, d.value);
+        return refuse(path, d.key, d.other, d.value);
     if (lobe_identity_differs(m->identity, identity, NULL, &d)) /* a line too many */
-        return refuse(o->resume, d.key, d.value, d.other);
+        return refuse(path, d.key, d.value, d.other);
     snprintf(wanted, sizeof wanted, "%llu", (unsigned long long)o->seed);
     snprintf(value, sizeof value, "%llu", (unsigned long long)m->seeds[0]);
-    if (m->seed_count != 1) return refuse(o->resume, "seed", "more than one", wanted);
-    if (m->seeds[0] != o->seed) return refuse(o->resume, "seed", value, wanted);
+    if (m->seed_count != 1) return refuse(path, "seed", "more than one", wanted);
+    return m->seeds[0] == o->seed ? LOBE_RENDER_OK : refuse(path, "seed", value, wanted);
+}
+
+static lobe_render_result check_resumed(const lobe_film *film, const lobe_render_options *o,
+                                        const char *identity) {
+    const film_metadata *m = &film->metadata;
+    char value[32], wanted[32];
+    const lobe_render_result result = check_same(o->resume, m, o, identity);
+    if (result != LOBE_RENDER_OK) return result;
     snprintf(wanted, sizeof wanted, "%u/%u", o->part, o->parts);
     snprintf(value, sizeof value, "%u/%u", m->part, m->parts);
     if (m->part != o->part || m->parts != o->parts) return refuse(o->resume, "part", value, wanted);
@@ -378,8 +389,9 @@ static lobe_render_result render_with(const coat_table *const *coats, const lobe
                                 (options->aovs & LOBE_AOV_BIT(LOBE_AOV_VNDF_INTEGRAL)) != 0,
                                 log};
     char identity[IDENTITY_ROOM] = "";
-    lobe_render_result result = aim(&j, options);
+    lobe_render_result result = find_view(scene, options, &j.view);
     if (result == LOBE_RENDER_OK) {
+        aim(&j);
         make_filter(j.filter);
         lobe_identity_write(identity, scene, &j.view, options);
     }
@@ -396,16 +408,20 @@ static lobe_render_result render_with(const coat_table *const *coats, const lobe
     return result;
 }
 
+/* The choice by surface is known for Smith-GGX; else the best method is one for all. */
+static void choose_method(lobe_render_options *o) {
+    lobe_model *model = &o->reflection.model;
+    if (model->ndf != LOBE_NDF_GGX || model->masking != LOBE_MASKING_SMITH)
+        model->method = method_or_best(*model);
+}
+
 static lobe_render_result render_and_log(const lobe_scene *scene, lobe_render_options options,
                                          ray_log *log, lobe_film **film,
                                          lobe_render_statistics *statistics) {
     *film = NULL;
     lobe_render_result result = check_options(&options);
     if (result != LOBE_RENDER_OK) return result;
-    lobe_model model = options.reflection.model;
-    /* the choice by surface is known for Smith-GGX; else the best method is one for all */
-    if (model.ndf != LOBE_NDF_GGX || model.masking != LOBE_MASKING_SMITH)
-        options.reflection.model.method = method_or_best(model);
+    choose_method(&options);
     const coat_table **coats = lobe_find_coats(scene, &options.reflection);
     result = lobe_ranks_agree(coats ? LOBE_RENDER_OK : lobe_fail_memory(scene->name));
     if (result == LOBE_RENDER_OK)
@@ -417,6 +433,43 @@ static lobe_render_result render_and_log(const lobe_scene *scene, lobe_render_op
 lobe_render_result lobe_render(const lobe_scene *scene, lobe_render_options options,
                                lobe_film **film, lobe_render_statistics *statistics) {
     return render_and_log(scene, options, NULL, film, statistics);
+}
+
+/* ---- What need not be rendered again --------------------------------------------------------- */
+
+static int has_all_samples(const lobe_film *film, const lobe_render_options *o) {
+    if (film->aovs != o->aovs || film->width != o->width || film->height != o->height) return 0;
+    for (size_t i = 0; i < (size_t)film->width * (size_t)film->height; i++)
+        if (film->pixels[i].samples != (is_in_part(o, i) ? o->samples : 0)) return 0;
+    return 1;
+}
+
+/* What cannot be read as a picture of this program is none that was finished. */
+static lobe_render_result look_at(const lobe_scene *scene, lobe_render_options *o, const char *path,
+                                  float exposure, int *is_finished) {
+    char identity[IDENTITY_ROOM], options[EXR_OPTIONS_ROOM];
+    lobe_view view;
+    lobe_film *film = NULL;
+    lobe_render_result result = check_options(o);
+    if (result == LOBE_RENDER_OK) result = find_view(scene, o, &view);
+    if (result != LOBE_RENDER_OK || lobe_exr_read_film(path, &film) != LOBE_RENDER_OK)
+        return result;
+    choose_method(o);
+    lobe_identity_write(identity, scene, &view, o);
+    lobe_exr_options(options, identity, exposure);
+    result = check_same(path, &film->metadata, o, options);
+    *is_finished = result == LOBE_RENDER_OK && has_all_samples(film, o);
+    lobe_film_free(film);
+    return result;
+}
+
+lobe_render_result lobe_render_find_finished(const lobe_scene *scene, lobe_render_options options,
+                                             const char *path, float exposure, int *is_finished) {
+    *is_finished = 0;
+    lobe_render_result result = LOBE_RENDER_OK;
+    if (lobe_ranks_own() == 0) result = look_at(scene, &options, path, exposure, is_finished);
+    lobe_ranks_broadcast(is_finished, sizeof *is_finished);
+    return lobe_ranks_agree(result);
 }
 
 lobe_render_result lobe_render_logged(const lobe_scene *scene, lobe_render_options options,

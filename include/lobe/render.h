@@ -171,6 +171,12 @@ typedef struct lobe_view {
 LOBE_API lobe_render_result lobe_scene_view(const lobe_scene *scene, const char *camera,
                                             lobe_view *view);
 
+/* View `index` of `count` of a turntable: the camera is turned about +Y around the middle of the scene's box, index/count
+ * of a full turn, counter-clockwise from above. Of a scene that is framed, farther away than for one picture, so that
+ * the whole scene is seen from every side; else view 0 is that of the camera, to the bit. */
+LOBE_API lobe_render_result lobe_scene_orbit(const lobe_scene *scene, const char *camera, int index,
+                                             int count, lobe_view *view);
+
 /* How far away is what the middle of the picture shows; 0: nothing is there. */
 LOBE_API float lobe_scene_focus(const lobe_scene *scene, const lobe_view *view);
 
@@ -310,6 +316,13 @@ typedef struct lobe_render_statistics {
 
 typedef struct lobe_film lobe_film;
 
+/* Whether `path` is an .exr that can be read whole and holds this picture of `scene` to its last sample, written at that
+ * exposure. Where `noise` or `time_limit` ended it before, it is not: an .exr cannot tell that the end was reached.
+ * LOBE_RENDER_BAD_INPUT: it is a picture of another scene, or of other options. Under mpirun all processes call it. */
+LOBE_API lobe_render_result lobe_render_find_finished(const lobe_scene *scene,
+                                                      lobe_render_options options, const char *path,
+                                                      float exposure, int *is_finished);
+
 /* Render `scene`. *film is to be freed by lobe_film_free after LOBE_RENDER_OK (also when the time
  * limit came first: statistics->pixel_samples tells) and after LOBE_RENDER_INTERRUPTED; otherwise it
  * is NULL. Pixels that got fewer samples than others are averaged over those they got.
@@ -365,6 +378,7 @@ typedef struct lobe_film_write_options {
     float exposure;                    /* stops, for every format; default 0 */
     lobe_film_pixels pixels;           /* .exr only; default half */
     lobe_film_compression compression; /* .exr only; default ZIP */
+    int durable; /* 1: on the disk before it has its name, as what may be all that is left; default 0 */
     int keep_seconds; /* .exr only: 1: write the time as an attribute, no two files are equal then; default 0 */
 } lobe_film_write_options;
 
