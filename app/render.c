@@ -9,7 +9,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <lobe/render.h>
+#include <lobe/camera_path.h>
 
 #include "commands.h"
 #include "frames.h"
@@ -28,7 +28,9 @@ typedef struct picture_part {
 typedef struct render_values {
     lobe_app_view view;
     const char *out, *reference, *checkpoint, *resume;
-    uint64_t spp, orbit; /* orbit: 0: none */
+    const char *camera_path;
+    lobe_camera_path *path; /* what it holds; NULL: none */
+    uint64_t spp, orbit;    /* orbit: 0: none */
     picture_part part;
     double checkpoint_every, noise, time_limit;
     uint32_t aovs;
@@ -103,6 +105,10 @@ static const lobe_app_option sequence_options[] = {
     {"--orbit", "N", "none",
      "a turntable: N pictures from around the middle of the scene, FILE.0001.exr and on",
      lobe_app_read_count, AT(orbit), NULL},
+    {"--camera-path", "FILE", "none",
+     "a picture for each camera of a JSON file (docs/camera.md, docs/gbuffer.md), numbered "
+     "likewise",
+     lobe_app_read_name, AT(camera_path), NULL},
     {0}};
 
 static const lobe_app_option long_options[] = {
@@ -312,8 +318,9 @@ typedef struct numbered {
     lobe_view view;
 } numbered;
 
+/* 0: one picture alone. */
 static int count_frames(const render_values *v) {
-    return (int)v->orbit;
+    return v->path ? lobe_camera_path_count(v->path) : (int)v->orbit;
 }
 
 static lobe_app_status name_files(const render_values *v, numbered *n) {
@@ -330,16 +337,28 @@ static lobe_app_status name_files(const render_values *v, numbered *n) {
 }
 
 /* The focus of a turntable does not move. */
-static lobe_app_status aim_picture(const render_values *v, const lobe_scene *scene, numbered *n) {
+static lobe_render_result aim_on_turntable(const render_values *v, const lobe_scene *scene,
+                                           numbered *n) {
+    const int count = count_frames(v);
     lobe_view first;
-    lobe_render_result result = lobe_scene_orbit(scene, v->view.camera, 0, count_frames(v), &first);
+    lobe_render_result result = lobe_scene_orbit(scene, v->view.camera, 0, count, &first);
     if (result == LOBE_RENDER_OK)
-        result = lobe_scene_orbit(scene, v->view.camera, n->picture.number - 1, count_frames(v),
-                                  &n->view);
-    if (result != LOBE_RENDER_OK) return lobe_app_render_failed(result);
+        result = lobe_scene_orbit(scene, v->view.camera, n->picture.number - 1, count, &n->view);
+    if (result == LOBE_RENDER_OK && isnan(v->view.focus))
+        n->picture.focus = lobe_scene_focus(scene, &first);
+    return result;
+}
+
+static lobe_app_status aim_picture(const render_values *v, const lobe_scene *scene, numbered *n) {
     n->picture.view = &n->view;
-    if (isnan(v->view.focus)) n->picture.focus = lobe_scene_focus(scene, &first);
-    return LOBE_APP_DONE;
+    if (v->path) {
+        const lobe_path_frame *frame = lobe_camera_path_get(v->path, n->picture.number - 1);
+        n->view = frame->camera.view;
+        if (isnan(v->view.focus)) n->picture.focus = frame->camera.focus;
+        return LOBE_APP_DONE;
+    }
+    const lobe_render_result result = aim_on_turntable(v, scene, n);
+    return result == LOBE_RENDER_OK ? LOBE_APP_DONE : lobe_app_render_failed(result);
 }
 
 static lobe_app_status find_finished(const render_values *v, const lobe_scene *scene,
@@ -408,7 +427,8 @@ static lobe_app_status render_sequence(const render_values *v, const char *sourc
 
 static lobe_app_status render_scene(const render_values *v, const char *source,
                                     const lobe_scene *scene, const lobe_film *reference) {
-    return v->orbit ? render_sequence(v, source, scene) : render_alone(v, source, scene, reference);
+    return count_frames(v) ? render_sequence(v, source, scene)
+                           : render_alone(v, source, scene, reference);
 }
 
 static lobe_app_status render(const render_values *v, const char *source) {
@@ -482,19 +502,45 @@ static lobe_app_status check_part(const render_values *v) {
     return LOBE_APP_DONE;
 }
 
+/* A camera with a matrix has a picture of one shape. */
+static lobe_app_status check_shapes(const render_values *v) {
+    const double wanted = (double)v->view.size.width / v->view.size.height;
+    for (int i = 0; i < lobe_camera_path_count(v->path); i++) {
+        const lobe_path_camera *c = &lobe_camera_path_get(v->path, i)->camera;
+        const double shape = c->tan_x > 0 ? (double)c->tan_x / (double)c->tan_y : wanted;
+        if (!(fabs(shape / wanted - 1) <= 0.01))
+            return lobe_app_reject(v->camera_path, "give a --size of that shape",
+                                   "the picture of camera %d is %.4g times as wide as high, "
+                                   "not %.4g",
+                                   i + 1, shape, wanted);
+    }
+    return LOBE_APP_DONE;
+}
+
 /* Where several pictures come out of one call. */
 static lobe_app_status check_sequence(const render_values *v) {
-    if (!v->orbit) return LOBE_APP_DONE;
+    const char *option = v->path ? "--camera-path" : "--orbit";
+    if (!count_frames(v)) return LOBE_APP_DONE;
     if (v->orbit > LOBE_APP_FRAMES_MAX)
-        return lobe_app_reject("--orbit", "use 1 to 100000", "too many pictures");
+        return lobe_app_reject(option, "use 1 to 100000", "too many pictures");
     if (v->reference)
         return lobe_app_reject("--reference", "leave one of the two out",
-                               "it is one picture, --orbit makes several");
-    if (v->out && ends_with(v->out, ".exr")) return LOBE_APP_DONE;
-    if (v->checkpoint || v->resume)
+                               "it is one picture, %s makes several", option);
+    const bool tells = v->out && ends_with(v->out, ".exr");
+    if (!tells && (v->checkpoint || v->resume))
         return lobe_app_reject(v->checkpoint ? "--checkpoint" : "--resume", "give -o FILE.exr",
                                "of several pictures only .exr tell that they are finished");
-    return LOBE_APP_DONE;
+    return v->path ? check_shapes(v) : LOBE_APP_DONE;
+}
+
+/* A path says where the camera is. */
+static lobe_app_status read_path(render_values *v, const lobe_app_arguments *arguments) {
+    if (!v->camera_path) return LOBE_APP_DONE;
+    lobe_app_status status = lobe_app_exclude(arguments, "--camera-path", "--orbit");
+    if (!status) status = lobe_app_exclude(arguments, "--camera-path", "--camera");
+    if (status) return status;
+    const lobe_render_result result = lobe_camera_path_read(v->camera_path, &v->path);
+    return result == LOBE_RENDER_OK ? LOBE_APP_DONE : lobe_app_render_failed(result);
 }
 
 static lobe_app_status check(const render_values *v, const lobe_app_arguments *arguments) {
@@ -537,8 +583,11 @@ static lobe_app_status run(int argc, char **argv) {
     if (values.list_scenes) return list_scenes(values.json);
     status = lobe_app_choose_render_model(&values.view, values.method, &values.model);
     if (status || (status = lobe_app_check_floor(&arguments, values.model))) return status;
-    if ((status = agree(check(&values, &arguments)))) return status;
-    return render(&values, arguments.operand);
+    status = read_path(&values, &arguments);
+    if (!status) status = check(&values, &arguments);
+    if (!(status = agree(status))) status = render(&values, arguments.operand);
+    lobe_camera_path_free(values.path);
+    return status;
 }
 
 /* Only rank 0 has something to say. */

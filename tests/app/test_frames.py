@@ -1,7 +1,11 @@
 """lobe render: several numbered pictures out of one call, and how it goes on after an interruption."""
+import base64
 import json
+import math
 import os
+import re
 import signal
+import struct
 import subprocess
 import time
 from pathlib import Path
@@ -52,6 +56,102 @@ class OrbitTest(FramesTest):
         self.rejected(*orbit, "--json", "--reference", self.path("a.pfm"), where="--reference")
         self.rejected(*orbit, "-o", self.path("a" * 5000 + ".exr"), status=(1, 2))
         self.assertEqual(self.names(), [])
+
+
+def in_float(x):
+    return struct.unpack("f", struct.pack("f", x))[0]
+
+
+def scene_with_camera():
+    """glTF of a square around the origin; a camera at (1, 0.5, 5) looks along -Z."""
+    corners = struct.pack("12f", -1, -1, 0.25, 1, -1, 0.25, 1, 1, -0.25, -1, 1, -0.25)
+    data = corners + struct.pack("6H", 0, 1, 2, 0, 2, 3)
+    return {"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 1]}],
+            "nodes": [{"mesh": 0}, {"camera": 0, "translation": [1, 0.5, 5]}],
+            "cameras": [{"type": "perspective", "perspective": {"yfov": 0.7, "znear": 0.1}}],
+            "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}],
+            "buffers": [{"byteLength": len(data), "uri": "data:application/octet-stream;base64," +
+                         base64.b64encode(data).decode()}],
+            "bufferViews": [{"buffer": 0, "byteLength": 48},
+                            {"buffer": 0, "byteOffset": 48, "byteLength": 12}],
+            "accessors": [{"bufferView": 0, "componentType": 5126, "type": "VEC3", "count": 4,
+                           "min": [-1, -1, -0.25], "max": [1, 1, 0.25]},
+                          {"bufferView": 1, "componentType": 5123, "type": "SCALAR", "count": 6}]}
+
+
+def look(angle, ahead):
+    """That camera, turned; it looks at a point so far ahead."""
+    sine, cosine = math.sin(angle), math.cos(angle)
+    def turned(x, y, z):  # 0.0: no negative zero
+        return [in_float(0.0 + (cosine * x + sine * z)), y, in_float(0.0 + (cosine * z - sine * x))]
+    degrees = in_float(in_float(0.7) * in_float(180 / in_float(math.pi)))
+    return {"position": turned(1, 0.5, 5), "target": turned(1, 0.5, 5 - ahead),
+            "up": turned(0, 1, 0), "degrees": degrees}
+
+
+class PathTest(FramesTest):
+    def write(self, name, *cameras):
+        frames = [{"camera": camera} for camera in cameras]
+        (self.folder / name).write_text(json.dumps({"frames": frames}))
+        return self.path(name)
+
+    def test_every_view_of_a_turntable_is_that_of_its_camera(self):
+        """Bit for bit, rendered alone."""
+        (self.folder / "s.gltf").write_text(json.dumps(scene_with_camera()))
+        ahead = in_float(1 + in_float(math.sqrt(26.25)))
+        options = [self.path("s.gltf"), *SMALL[1:], "--aperture", "0.1", "--focus", "5"]
+        self.done("render", *options, "--orbit", "5", "-o", self.path("a.exr"))
+        for i in range(5):
+            path = self.write("p.json", look(2 * math.pi * i / 5, ahead))
+            self.done("render", *options, "--camera-path", path, "-o", self.path("p.exr"))
+            self.assertEqual(self.bytes_of("p.0001.exr"), self.bytes_of(f"a.000{i + 1}.exr"), i)
+
+    def test_focus(self):
+        """That of the command, else of the file, else what each picture shows in its middle."""
+        room = {"position": [0, 1, 3], "target": [0, 1, 0], "degrees": 40}
+        path = self.write("p.json", room, {**room, "focus": 2}, {**room, "position": [0, 1, 2]})
+        def focus_of(*options):
+            frames = self.frames("--camera-path", path, "--aperture", "0.01", *options)
+            return [re.search(rb"\nfocus (\S+)\n", frame)[1] for frame in frames]
+        focus = focus_of()
+        self.assertEqual(focus[1], b"2")
+        self.assertAlmostEqual(float(focus[0]), float(focus[2]) + 1, 4)
+        self.assertEqual(focus_of("--focus", "3"), [b"3"] * 3)
+
+    def test_frames_of_another_program(self):
+        """The cameras of a folder of frames are a path."""
+        self.done("ssr", "cornell", "--size", "40x24", "--frames", "2", "--spp", "1", "-o",
+                  self.path("ssr"), "--write-gbuffer", self.path("g"), "--min-smoothness", "0.4")
+        self.frames("--camera-path", self.path("g/gbuffer.json"))
+        self.render("one.exr")
+        for name, is_like in (("a.0001.exr", True), ("a.0002.exr", False)):
+            status = run("compare", self.path(name), self.path("one.exr"), "--metric", "rmse",
+                         "--threshold", "0.01").returncode
+            self.assertEqual(status, 0 if is_like else 3, name)
+
+    def test_going_on(self):
+        cameras = [{"position": [x, 1, 3], "target": [0, 1, 0], "degrees": 40} for x in (0, 0.1, 0.2)]
+        long = ["--checkpoint", self.path("c"), "--resume", self.path("c")]
+        first = self.frames("--camera-path", self.write("p.json", *cameras[:2]), *long)
+        self.assertEqual(self.frames("--camera-path", self.write("p.json", *cameras), *long)[:2], first)
+        self.rejected("render", *SMALL, "--camera-path", self.write("p.json", *cameras[1:]), *long,
+                      "-o", self.path("a.exr"), where=self.path("a.0001.exr"))
+
+    def test_refused(self):
+        camera = {"position": [0, 1, 3], "target": [0, 1, 0], "degrees": 40}
+        good = self.write("p.json", camera)
+        out = ["-o", self.path("a.exr")]
+        path = ["render", *SMALL, *out, "--camera-path"]
+        self.rejected(*path, good, "--orbit", "2", where="--camera-path")
+        self.rejected(*path, good, "--camera", "x", where="--camera-path")
+        self.rejected(*path, self.path("none.json"), where=self.path("none.json"))
+        self.rejected(*path, str(self.folder), where=str(self.folder) + ":1")
+        self.rejected(*path, "", where="--camera-path")
+        self.rejected(*path, self.write("b.json", camera, {}), where=self.path("b.json"))
+        matrix = [[1, 0, 0, 0], [0, 1, 0, 1], [0, 0, 1, 3], [0, 0, 0, 1]]
+        wide = self.write("w.json", camera, {"to_world": matrix, "tan": [1, 0.5]})
+        self.assertIn(b"camera 2 is 2 times as wide", self.rejected(*path, wide, where=wide).stderr)
+        self.assertFalse(list(self.folder.glob("a.*")))
 
 
 class GoingOnTest(FramesTest):
