@@ -43,8 +43,8 @@ typedef struct render_values {
 typedef struct picture {
     int number; /* from 1; 0: it is the only one */
     const char *out, *checkpoint, *resume;
-    const lobe_view *view; /* NULL: the camera of the options */
-    float focus;           /* 0: that of the options */
+    const lobe_view *view, *previous; /* NULL: the camera of the options */
+    float focus;                      /* 0: that of the options */
 } picture;
 
 #define AOV_NAME(ID, name, channels, about) " " name
@@ -190,6 +190,7 @@ static lobe_render_options render_options(const render_values *v, const picture 
                                           render_run *run) {
     lobe_render_options r = lobe_app_view_render_options(&v->view);
     r.view = picture->view;
+    r.previous_view = picture->previous;
     if (picture->focus > 0) r.focus = picture->focus;
     r.reflection.model = v->model;
     r.samples = (uint32_t)v->spp;
@@ -315,7 +316,7 @@ static lobe_app_status agree(lobe_app_status status) {
 typedef struct numbered {
     picture picture;
     char out[LOBE_APP_FRAME_NAME], checkpoint[LOBE_APP_FRAME_NAME], resume[LOBE_APP_FRAME_NAME];
-    lobe_view view;
+    lobe_view view, previous;
 } numbered;
 
 /* 0: one picture alone. */
@@ -339,11 +340,14 @@ static lobe_app_status name_files(const render_values *v, numbered *n) {
 /* The focus of a turntable does not move. */
 static lobe_render_result aim_on_turntable(const render_values *v, const lobe_scene *scene,
                                            numbered *n) {
-    const int count = count_frames(v);
+    const int count = count_frames(v), index = n->picture.number - 1;
     lobe_view first;
     lobe_render_result result = lobe_scene_orbit(scene, v->view.camera, 0, count, &first);
     if (result == LOBE_RENDER_OK)
-        result = lobe_scene_orbit(scene, v->view.camera, n->picture.number - 1, count, &n->view);
+        result = lobe_scene_orbit(scene, v->view.camera, index, count, &n->view);
+    if (result == LOBE_RENDER_OK)
+        result =
+            lobe_scene_orbit(scene, v->view.camera, index ? index - 1 : 0, count, &n->previous);
     if (result == LOBE_RENDER_OK && isnan(v->view.focus))
         n->picture.focus = lobe_scene_focus(scene, &first);
     return result;
@@ -351,9 +355,11 @@ static lobe_render_result aim_on_turntable(const render_values *v, const lobe_sc
 
 static lobe_app_status aim_picture(const render_values *v, const lobe_scene *scene, numbered *n) {
     n->picture.view = &n->view;
+    n->picture.previous = &n->previous;
     if (v->path) {
         const lobe_path_frame *frame = lobe_camera_path_get(v->path, n->picture.number - 1);
         n->view = frame->camera.view;
+        n->previous = frame->previous.view;
         if (isnan(v->view.focus)) n->picture.focus = frame->camera.focus;
         return LOBE_APP_DONE;
     }
@@ -550,6 +556,9 @@ static lobe_app_status check(const render_values *v, const lobe_app_arguments *a
         return lobe_app_reject("-o", "give a file name, as -o picture.png", "no picture to write");
     if (v->aovs && !v->out)
         return lobe_app_reject("--aov", "give -o FILE.exr", "no picture to hold the channels");
+    if (v->aovs & LOBE_AOV_BIT(LOBE_AOV_MOTION) && !count_frames(v))
+        return lobe_app_reject("--aov", "give --orbit or --camera-path",
+                               "one picture alone has no motion");
     if (v->spp > LOBE_RENDER_SAMPLES_MAX)
         return lobe_app_reject("--spp", "use 1 to 16777216", "too many samples");
     if (v->time_limit < 0) return lobe_app_reject("--time", "give seconds", "a negative time");

@@ -46,3 +46,23 @@ void lobe_camera_ray(const camera_rays *c, float x, float y, float u, float v, v
     }
     *direction = v3_normalize_or(d, c->forward);
 }
+
+/* From the eye along `to` to the place of the picture, as lobe_camera_ray has it; 0: there is none. */
+static int project(const camera_rays *c, vec3 to, float *x, float *y) {
+    const float along = v3_dot(to, c->forward);
+    *x = v3_dot(to, c->right) / (v3_dot(c->right, c->right) * along);
+    *y = v3_dot(to, c->up) / (v3_dot(c->up, c->up) * along);
+    return along > 0.0f && isfinite(*x) && isfinite(*y);
+}
+
+void lobe_camera_motion(const camera_rays *now, const camera_rays *before, vec3 origin,
+                        vec3 direction, float distance, float motion[2]) {
+    const vec3 place = v3_add(origin, v3_scale(direction, distance));
+    const int is_far = distance == 0.0f;
+    float x, y, old_x, old_y;
+    const int is_seen =
+        project(now, is_far ? direction : v3_sub(place, now->eye), &x, &y) &&
+        project(before, is_far ? direction : v3_sub(place, before->eye), &old_x, &old_y);
+    motion[0] = is_seen ? 0.5f * (x - old_x) : 2.0f;
+    motion[1] = is_seen ? 0.5f * (old_y - y) : 0.0f;
+}

@@ -23,4 +23,10 @@ void lobe_camera_add_lens(camera_rays *c, float radius, float focus);
 void lobe_camera_ray(const camera_rays *c, float x, float y, float u, float v, vec3 *origin,
                      vec3 *direction);
 
+/* How far a place of the picture of `now` has moved since `before`, in widths to the right and heights down; (2, 0) where
+ * it was behind the camera, which is off every picture. A lens does not count. `distance` of the place along a ray of
+ * `now`; 0: at infinity. */
+void lobe_camera_motion(const camera_rays *now, const camera_rays *before, vec3 origin,
+                        vec3 direction, float distance, float motion[2]);
+
 #endif

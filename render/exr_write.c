@@ -132,9 +132,10 @@ static exr_result_t write_header(exr_context_t file, const lobe_film *film, cons
         status = exr_initialize_required_attr_simple(file, 0, film->width, film->height,
                                                      compressions[options.compression]);
     for (int i = 0; i < l->count && status == EXR_ERR_SUCCESS; i++) {
-        /* Distances and numbers of samples need more than the eleven bits of half. */
+        /* Distances, motion and numbers of samples need more than the eleven bits of half. */
         int is_float = options.pixels == LOBE_FILM_FLOAT ||
                        strcmp(l->channels[i].name, "depth.Z") == 0 ||
+                       strncmp(l->channels[i].name, "motion.", 7) == 0 ||
                        strcmp(l->channels[i].name, EXR_SAMPLES_LAYER "Y") == 0;
         status = exr_add_channel(file, 0, l->channels[i].name,
                                  is_float ? EXR_PIXEL_FLOAT : EXR_PIXEL_HALF,

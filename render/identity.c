@@ -45,6 +45,13 @@ static XXH64_hash_t hash_sky(const lobe_scene *s) {
                                 hash);
 }
 
+static XXH64_hash_t hash_view(const lobe_view *v) {
+    const float view[10] = {v->position.x, v->position.y,      v->position.z, v->target.x,
+                            v->target.y,   v->target.z,        v->up.x,       v->up.y,
+                            v->up.z,       v->vertical_degrees};
+    return XXH3_64bits(view, sizeof view);
+}
+
 /* What was read, not the files: a scene that moved is the same scene. None of these structures has padding. */
 static void add_scene(char *text, const lobe_scene *s, const lobe_view *c) {
     if (isfinite(s->frame_time)) add_line(text, "frame-time %.17g\n", s->frame_time);
@@ -63,10 +70,7 @@ static void add_scene(char *text, const lobe_scene *s, const lobe_view *c) {
     add_hash(text, "textures", hash_textures(s));
     add_hash(text, "lamps", XXH3_64bits(s->lamps, s->lamp_count * sizeof *s->lamps));
     add_hash(text, "environment", hash_sky(s));
-    const float view[10] = {c->position.x, c->position.y,      c->position.z, c->target.x,
-                            c->target.y,   c->target.z,        c->up.x,       c->up.y,
-                            c->up.z,       c->vertical_degrees};
-    add_hash(text, "camera", XXH3_64bits(view, sizeof view));
+    add_hash(text, "camera", hash_view(c));
 }
 
 static void add_options(char *text, const lobe_render_options *o) {
@@ -83,6 +87,8 @@ static void add_options(char *text, const lobe_render_options *o) {
              r->normalization == LOBE_NORMALIZATION_UNBIASED ? "unbiased" : "previous");
     add_line(text, "multiscatter %s\nheuristic %s\n", multiscatters[o->multiscatter],
              lobe_heuristic_name(o->heuristic));
+    if (o->aovs & LOBE_AOV_BIT(LOBE_AOV_MOTION) && o->previous_view)
+        add_hash(text, "previous-camera", hash_view(o->previous_view));
     add_line(text, "aov");
     for (int aov = 0; aov < LOBE_AOV_COUNT; aov++)
         if (o->aovs & LOBE_AOV_BIT(aov)) add_line(text, " %s", lobe_aov_name((lobe_aov)aov));

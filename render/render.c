@@ -59,7 +59,7 @@ typedef struct job {
     const lobe_render_options *options;
     integrator integrator;
     lobe_view view;
-    camera_rays camera;
+    camera_rays camera, previous;
     float filter[FILTER_STEPS + 1];
 } job;
 
@@ -97,6 +97,9 @@ static film_sample render_sample(const job *j, int x, int y, sampler points, uin
     lobe_camera_ray(&j->camera, px, py, sampler_unit(p.bits[2]), sampler_unit(p.bits[3]), &origin,
                     &direction);
     film_sample sample = lobe_trace_path(&j->integrator, origin, direction, &points, rays);
+    if (o->aovs & LOBE_AOV_BIT(LOBE_AOV_MOTION))
+        lobe_camera_motion(&j->camera, &j->previous, origin, direction, sample.depth,
+                           sample.motion);
     sample.is_first_half = lobe_film_is_first_half(points.index);
     return sample;
 }
@@ -156,6 +159,8 @@ static lobe_render_result find_view(const lobe_scene *scene, lobe_render_options
 static void aim(job *j) {
     const lobe_render_options *o = j->options;
     j->camera = lobe_camera_rays(&j->view, o->width, o->height);
+    j->previous =
+        o->previous_view ? lobe_camera_rays(o->previous_view, o->width, o->height) : j->camera;
     if (o->aperture > 0.0f) lobe_camera_add_lens(&j->camera, o->aperture, o->focus);
 }
 
@@ -214,7 +219,8 @@ static lobe_render_result check_options(const lobe_render_options *o) {
             "another");
     if (!is_offered(model) || (unsigned)o->multiscatter > LOBE_MULTISCATTER_WALK ||
         !(o->reflection.floor >= 0.0 && o->reflection.floor <= 1.0) ||
-        (unsigned)o->heuristic >= 4u || (o->view && !is_view(o->view)) || !is_lens(o) ||
+        (unsigned)o->heuristic >= 4u || (o->view && !is_view(o->view)) ||
+        (o->previous_view && !is_view(o->previous_view)) || !is_lens(o) ||
         !(o->time_limit >= 0.0) || !(o->noise >= 0.0) || !(o->checkpoint_seconds >= 0.0))
         return lobe_fail(LOBE_RENDER_BAD_INPUT,
                          "options: a value is out of range; see lobe/render.h");

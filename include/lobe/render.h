@@ -192,7 +192,10 @@ LOBE_API float lobe_lens_radius(float f_number, float vertical_degrees);
     X(DEPTH, "depth", 1, "distance from the camera to the first hit; 0 where there is none")       \
     X(REJECTED, "rejected", 1, "share of GGX draws on the pixel's paths that were rejected")       \
     X(VNDF_INTEGRAL, "vndf-integral", 1,                                                           \
-      "integral of the visible normals' density at the first hit (lobe/reflection.h); 1 if none")
+      "integral of the visible normals' density at the first hit (lobe/reflection.h); 1 if none")  \
+    X(MOTION, "motion", 2,                                                                         \
+      "how far the first hit has moved in the picture since the frame before, in widths to the "   \
+      "right and heights down; (2, 0): it was behind the camera")
 
 typedef enum lobe_aov {
 #define LOBE_AOV_ENUMERATOR(ID, name, channels, about) LOBE_AOV_##ID,
@@ -260,6 +263,8 @@ typedef struct lobe_render_options {
 
     /* Where to look from, in place of `camera`; NULL, the default: none. */
     const lobe_view *view;
+    /* Where the frame before was seen from, for LOBE_AOV_MOTION; NULL, the default: from the same place. */
+    const lobe_view *previous_view;
     /* Radius of a thin lens, in the scene's unit, at most 1e15; 0, the default: a pinhole, all is sharp. */
     float aperture;
     /* Not 0: the aperture is lobe_lens_radius of it, a unit being a metre; 0.001 to 1e15; default 0. */
@@ -393,7 +398,7 @@ LOBE_API int lobe_film_can_write(const char *path);
 
 /* Write the film in the format of the file's ending, beside the final name, and rename it. .exr holds
  * the extra channels as layers ("albedo.R", …, "depth.Z", "rejected.Y",
- * "vndf-integral.Y"), "samples.Y" where not all pixels have the same number, and scene, method, samples,
+ * "vndf-integral.Y", "motion.X"), "samples.Y" where not all pixels have the same number, and scene, method, samples,
  * seed, version and options as attributes; .png is sRGB, 8 bit, dithered. */
 LOBE_API lobe_render_result lobe_film_write(const lobe_film *film, const char *path,
                                             lobe_film_write_options options);

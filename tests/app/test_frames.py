@@ -54,6 +54,7 @@ class OrbitTest(FramesTest):
                       where="--checkpoint")
         self.rejected(*orbit, "--json", "--resume", self.path("c"), where="--resume")
         self.rejected(*orbit, "--json", "--reference", self.path("a.pfm"), where="--reference")
+        self.rejected("render", *SMALL, "-o", self.path("a.exr"), "--aov", "motion", where="--aov")
         self.rejected(*orbit, "-o", self.path("a" * 5000 + ".exr"), status=(1, 2))
         self.assertEqual(self.names(), [])
 
@@ -174,7 +175,8 @@ class GoingOnTest(FramesTest):
 
     def test_stopped_pictures_are_gone_on_with(self):
         """By time, then by kill -9 wherever it falls."""
-        scene = ["render", "cornell", "--size", "64x36", "--spp", "256", "--orbit", "3"]
+        scene = ["render", "cornell", "--size", "64x36", "--spp", "128", "--orbit", "3",
+                 "--aov", "motion,depth"]
         self.done(*scene, "-o", self.path("w.exr"))
         command = [*scene, "-o", self.path("a.exr"), *self.long]
         self.done(*command, "--time", "0.02")
@@ -188,6 +190,20 @@ class GoingOnTest(FramesTest):
         self.done(*command)
         for i in (1, 2, 3):
             self.assertEqual(self.bytes_of(f"a.000{i}.exr"), self.bytes_of(f"w.000{i}.exr"))
+
+    def test_motion_is_of_two_cameras(self):
+        """A picture whose frame before was seen from elsewhere is another one."""
+        cameras = [{"position": [x, 1, 3], "target": [0, 1, 0], "degrees": 40} for x in (0, 0.1, 0.2)]
+        def write(*frames):
+            (self.folder / "p.json").write_text(json.dumps({"frames": frames}))
+            return self.path("p.json")
+        def frame(camera, previous):
+            return {"camera": camera, "previous_camera": previous}
+        options = ["--aov", "motion", *self.long, "--camera-path"]
+        self.frames(*options, write(frame(cameras[0], cameras[1])))
+        result = self.rejected("render", *SMALL, *options, write(frame(cameras[0], cameras[2])),
+                               "-o", self.path("a.exr"), where=self.path("a.0001.exr"))
+        self.assertIn(b"its previous-camera is", result.stderr)
 
     def test_another_render_is_not_overwritten(self):
         first = self.frames("--orbit", "2", *self.long)
@@ -204,9 +220,11 @@ class GoingOnTest(FramesTest):
                       self.path("c"), where=self.path("c.0001"))
 
     def test_parts_join_picture_by_picture(self):
-        whole = self.frames("--orbit", "2", name="w.exr")
+        orbit = ["--orbit", "2", "--aov", "motion"]
+        whole = self.frames(*orbit, name="w.exr")
+        self.assertTrue(all(b"motion.X" in picture for picture in whole))
         for part in ("1", "2"):
-            parts = ["--orbit", "2", "--part", f"{part}/2"]
+            parts = [*orbit, "--part", f"{part}/2"]
             self.frames(*parts, *self.long, name=f"{part}.exr")
             again = run("render", *SMALL, *parts, *self.long, "-o", self.path(f"{part}.exr"), "--json")
             self.assertEqual(again.stdout.count(b"was_finished"), 2)

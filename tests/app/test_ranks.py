@@ -54,7 +54,7 @@ class RanksTest(FolderTest):
 
     def test_several_pictures(self):
         """What is finished is finished for all ranks, and so is what fails."""
-        orbit = [*SMALL[:-2], "--orbit", "3", "-o"]
+        orbit = [*SMALL[:-1], "motion", "--orbit", "3", "-o"]
         long = ["--checkpoint", self.path("c"), "--resume", self.path("c")]
         self.done("render", *orbit, self.path("one.exr"))
         for lost in ((1, 2, 3), (2,)):
