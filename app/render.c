@@ -160,7 +160,7 @@ static lobe_app_status list_scenes(bool json) {
 typedef struct render_run {
     double time_limit; /* seconds; 0: none */
     lobe_app_progress progress;
-    bool has_begun;
+    bool has_begun, has_failed_to_save;
     int index, count; /* of the picture */
     double samples;   /* of the pictures before */
     char label[48];
@@ -184,6 +184,11 @@ static render_run begin_run(const render_values *v, int count) {
     return (render_run){.time_limit = v->time_limit,
                         .progress = lobe_app_begin_progress(v->progress, "render", "samples"),
                         .count = count};
+}
+
+/* Pictures go on without a checkpoint, but that is not what was asked for. */
+static lobe_app_status end_run(const render_run *run, lobe_app_status status) {
+    return !status && run->has_failed_to_save ? LOBE_APP_FAILED : status;
 }
 
 static lobe_render_options render_options(const render_values *v, const picture *picture,
@@ -289,7 +294,7 @@ static lobe_app_status render_picture(const render_values *v, const char *source
         status = finish_picture(v, source, picture, film, reference, &statistics);
     run->samples += (double)statistics.samples;
     if (status == LOBE_APP_DONE && result == LOBE_RENDER_INTERRUPTED) status = LOBE_APP_INTERRUPTED;
-    if (status == LOBE_APP_DONE && statistics.has_failed_to_save) status = LOBE_APP_FAILED;
+    run->has_failed_to_save |= statistics.has_failed_to_save;
     lobe_film_free(film);
     return status;
 }
@@ -298,7 +303,7 @@ static lobe_app_status render_alone(const render_values *v, const char *source,
                                     const lobe_scene *scene, const lobe_film *reference) {
     const picture picture = {.out = v->out, .checkpoint = v->checkpoint, .resume = v->resume};
     render_run run = begin_run(v, 1);
-    return render_picture(v, source, scene, &picture, &run, reference);
+    return end_run(&run, render_picture(v, source, scene, &picture, &run, reference));
 }
 
 /* What one rank cannot do, none does: they would wait for it. */
@@ -428,7 +433,7 @@ static lobe_app_status render_sequence(const render_values *v, const char *sourc
         snprintf(run.label, sizeof run.label, "frame %d/%d", i + 1, count);
         status = render_numbered(v, source, scene, &n, &run, &is_going_on);
     }
-    return status;
+    return end_run(&run, status);
 }
 
 static lobe_app_status render_scene(const render_values *v, const char *source,

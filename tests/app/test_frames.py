@@ -4,6 +4,7 @@ import json
 import math
 import os
 import re
+import resource
 import signal
 import struct
 import subprocess
@@ -232,6 +233,19 @@ class GoingOnTest(FramesTest):
             self.done("merge", self.path(f"1.000{i}.exr"), self.path(f"2.000{i}.exr"), "-o",
                       self.path("m.exr"))
             self.assertEqual(self.bytes_of("m.exr"), whole[i - 1])
+
+    def test_a_full_disk_for_checkpoints(self):
+        """Pictures are smaller: they are all there, the failure is told."""
+        whole = self.frames("--orbit", "2", name="w.exr")
+        room = 2 * max(len(picture) for picture in whole)
+        def limit():
+            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+            resource.setrlimit(resource.RLIMIT_FSIZE, (room, room))
+        result = subprocess.run([PROGRAM, "render", *SMALL, "--orbit", "2", "-o", self.path("a.exr"),
+                                 *self.long], capture_output=True, preexec_fn=limit)
+        self.assertEqual(result.returncode, 1)
+        self.assertEqual(result.stderr.count(b"rendering goes on"), 2)
+        self.assertEqual([self.bytes_of(f"a.000{i}.exr") for i in (1, 2)], whole)
 
     def test_interrupt_ends_all(self):
         command = [PROGRAM, "render", "cornell", "--size", "96x54", "--spp", "16777216", "--orbit",
