@@ -513,21 +513,6 @@ static lobe_app_status check_part(const render_values *v) {
     return LOBE_APP_DONE;
 }
 
-/* A camera with a matrix has a picture of one shape. */
-static lobe_app_status check_shapes(const render_values *v) {
-    const double wanted = (double)v->view.size.width / v->view.size.height;
-    for (int i = 0; i < lobe_camera_path_count(v->path); i++) {
-        const lobe_path_camera *c = &lobe_camera_path_get(v->path, i)->camera;
-        const double shape = c->tan_x > 0 ? (double)c->tan_x / (double)c->tan_y : wanted;
-        if (!(fabs(shape / wanted - 1) <= 0.01))
-            return lobe_app_reject(v->camera_path, "give a --size of that shape",
-                                   "the picture of camera %d is %.4g times as wide as high, "
-                                   "not %.4g",
-                                   i + 1, shape, wanted);
-    }
-    return LOBE_APP_DONE;
-}
-
 /* Where several pictures come out of one call. */
 static lobe_app_status check_sequence(const render_values *v) {
     const char *option = v->path ? "--camera-path" : "--orbit";
@@ -541,7 +526,7 @@ static lobe_app_status check_sequence(const render_values *v) {
     if (!tells && (v->checkpoint || v->resume))
         return lobe_app_reject(v->checkpoint ? "--checkpoint" : "--resume", "give -o FILE.exr",
                                "of several pictures only .exr tell that they are finished");
-    return v->path ? check_shapes(v) : LOBE_APP_DONE;
+    return v->path ? lobe_app_check_shapes(v->camera_path, v->path, v->view.size) : LOBE_APP_DONE;
 }
 
 /* A path says where the camera is. */
