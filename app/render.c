@@ -346,13 +346,14 @@ static lobe_app_status name_files(const render_values *v, numbered *n) {
 static lobe_render_result aim_on_turntable(const render_values *v, const lobe_scene *scene,
                                            numbered *n) {
     const int count = count_frames(v), index = n->picture.number - 1;
+    const float aspect = (float)v->view.size.width / (float)v->view.size.height;
     lobe_view first;
-    lobe_render_result result = lobe_scene_orbit(scene, v->view.camera, 0, count, &first);
+    lobe_render_result result = lobe_scene_orbit(scene, v->view.camera, aspect, 0, count, &first);
     if (result == LOBE_RENDER_OK)
-        result = lobe_scene_orbit(scene, v->view.camera, index, count, &n->view);
+        result = lobe_scene_orbit(scene, v->view.camera, aspect, index, count, &n->view);
     if (result == LOBE_RENDER_OK)
-        result =
-            lobe_scene_orbit(scene, v->view.camera, index ? index - 1 : 0, count, &n->previous);
+        result = lobe_scene_orbit(scene, v->view.camera, aspect, index ? index - 1 : 0, count,
+                                  &n->previous);
     if (result == LOBE_RENDER_OK && isnan(v->view.focus))
         n->picture.focus = lobe_scene_focus(scene, &first);
     return result;

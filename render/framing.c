@@ -35,6 +35,13 @@ void lobe_scene_frame_automatically(lobe_scene *s) {
     s->is_framed = 1;
 }
 
+/* A square of the width of a picture that is higher than wide shows what a square picture does. */
+float lobe_framed_degrees(float aspect) {
+    if (!(aspect > 0.0f && aspect < 1.0f)) return degrees;
+    const float slope = tanf(0.5f * degrees * (LOBE_PI / 180.0f)) / aspect;
+    return 2.0f * atanf(slope) * (180.0f / LOBE_PI);
+}
+
 /* ---- From all sides -------------------------------------------------------------------------- */
 
 /* A turn about an axis along +Y, counter-clockwise from above. */
@@ -54,23 +61,23 @@ static vec3 turned(turn t, vec3 centre, vec3 p) {
 }
 
 /* A box that just fits from the front may not do so from its corner. */
-static lobe_view framed_from_all_sides(const lobe_scene *s) {
+static vec3 place_for_all_sides(const lobe_scene *s) {
     enum { SIDES = 256 };
     const vec3 centre = centre_of(s), from = v3_normalize_or(front, v3(0.0f, 0.0f, 1.0f));
     float distance = 0.0f;
     for (int i = 0; i < SIDES; i++)
         distance = fmaxf(distance, distance_from(s, turned(turn_of(i, SIDES), v3_all(0.0f), from)));
-    return (lobe_view){v3_add(centre, v3_scale(from, distance)), centre, upward, degrees};
+    return v3_add(centre, v3_scale(from, distance));
 }
 
-lobe_render_result lobe_scene_orbit(const lobe_scene *scene, const char *camera, int index,
-                                    int count, lobe_view *view) {
+lobe_render_result lobe_scene_orbit(const lobe_scene *scene, const char *camera, float aspect,
+                                    int index, int count, lobe_view *view) {
     if (count < 1 || index < 0 || index >= count)
         return lobe_fail(LOBE_RENDER_BAD_INPUT, "orbit: there is no view %d of %d; count from 0",
                          index, count);
-    const lobe_render_result result = lobe_scene_view(scene, camera, view);
+    const lobe_render_result result = lobe_scene_view(scene, camera, aspect, view);
     if (result != LOBE_RENDER_OK) return result;
-    if (scene->is_framed) *view = framed_from_all_sides(scene);
+    if (scene->is_framed) view->position = place_for_all_sides(scene);
     const turn t = turn_of(index, count);
     const vec3 centre = centre_of(scene);
     view->position = turned(t, centre, view->position);

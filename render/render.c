@@ -152,7 +152,7 @@ static lobe_render_result find_view(const lobe_scene *scene, lobe_render_options
     if (o->view)
         *view = *o->view;
     else
-        result = lobe_scene_view(scene, o->camera, view);
+        result = lobe_scene_view(scene, o->camera, (float)o->width / (float)o->height, view);
     return result == LOBE_RENDER_OK ? find_lens(scene, view, o) : result;
 }
 

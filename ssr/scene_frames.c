@@ -70,7 +70,9 @@ lobe_ssr_result lobe_ssr_frames_of_scene(const lobe_scene *scene, lobe_ssr_scene
     f->options = options;
     f->threads = options.threads ? options.threads : omp_get_max_threads();
     lobe_render_result made = LOBE_RENDER_OK;
-    if (!options.cameras) made = lobe_scene_view(scene, options.camera, &f->view);
+    if (!options.cameras)
+        made = lobe_scene_view(scene, options.camera, (float)options.width / (float)options.height,
+                               &f->view);
     if (made == LOBE_RENDER_OK) made = lobe_rays_create(scene, &f->rays);
     if (made != LOBE_RENDER_OK) {
         lobe_ssr_frames_free(f);

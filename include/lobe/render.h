@@ -167,15 +167,16 @@ typedef struct lobe_view {
     float vertical_degrees;             /* from the lower edge to the upper one, in (0, 180) */
 } lobe_view;
 
-/* A camera of the scene; NULL: its first, else framed. LOBE_RENDER_BAD_INPUT: no such name. */
+/* A camera of the scene; NULL: its first. Of a scene without one, the whole of it: in a picture of width/height `aspect`, as
+ * large as fits into a square of its shorter side. LOBE_RENDER_BAD_INPUT: no such name. */
 LOBE_API lobe_render_result lobe_scene_view(const lobe_scene *scene, const char *camera,
-                                            lobe_view *view);
+                                            float aspect, lobe_view *view);
 
 /* View `index` of `count` of a turntable: the camera is turned about +Y around the middle of the scene's box, index/count
- * of a full turn, counter-clockwise from above. Of a scene that is framed, farther away than for one picture, so that
- * the whole scene is seen from every side; else view 0 is that of the camera, to the bit. */
-LOBE_API lobe_render_result lobe_scene_orbit(const lobe_scene *scene, const char *camera, int index,
-                                             int count, lobe_view *view);
+ * of a full turn, counter-clockwise from above. View 0 is that of the camera, to the bit; but a scene without one is seen from
+ * farther away than in a single picture, so that every side of it fits. */
+LOBE_API lobe_render_result lobe_scene_orbit(const lobe_scene *scene, const char *camera,
+                                             float aspect, int index, int count, lobe_view *view);
 
 /* How far away is what the middle of the picture shows; 0: nothing is there. */
 LOBE_API float lobe_scene_focus(const lobe_scene *scene, const lobe_view *view);

@@ -14,7 +14,7 @@
 
 static lobe_view orbit(const lobe_scene *scene, int index, int count) {
     lobe_view v;
-    if (lobe_scene_orbit(scene, NULL, index, count, &v) != LOBE_RENDER_OK)
+    if (lobe_scene_orbit(scene, NULL, 1, index, count, &v) != LOBE_RENDER_OK)
         fail_msg("%s", lobe_render_error_message());
     return v;
 }
@@ -39,7 +39,7 @@ static void views_lie_on_a_circle(void **state) {
                               0.5 * ((double)info.low.z + (double)info.high.z)};
     const double origin[3] = {0, 0, 0};
     lobe_view first, zero = orbit(scene, 0, 7);
-    assert_int_equal(lobe_scene_view(scene, NULL, &first), LOBE_RENDER_OK);
+    assert_int_equal(lobe_scene_view(scene, NULL, 0.5f, &first), LOBE_RENDER_OK);
     assert_memory_equal(&zero, &first, sizeof first);
     for (int k = 0; k < 7; ++k) {
         const lobe_view v = orbit(scene, k, 7), same = orbit(scene, 3 * k, 21);
@@ -99,6 +99,18 @@ static void a_scene_without_camera_is_held_from_every_side(void **state) {
         farthest = fmax(farthest, farthest_corner(&v, half));
     }
     if (!(farthest < 1 && farthest > 0.85)) fail_msg("the picture is filled to %g", farthest);
+    /* upright pictures: the same in a square of their width; wide ones: of their height */
+    for (int k = 0; k < 5; ++k) {
+        const float aspects[5] = {1, 2, 100, 0.5f, 0.01f}, width = fminf(aspects[k], 1);
+        lobe_view square, v;
+        assert_int_equal(lobe_scene_view(scene, NULL, 1, &square), LOBE_RENDER_OK);
+        assert_int_equal(lobe_scene_view(scene, NULL, aspects[k], &v), LOBE_RENDER_OK);
+        const double fit =
+            (double)width * farthest_corner(&square, half) / farthest_corner(&v, half);
+        if (!(fabs(fit - 1) < 1e-3)) fail_msg("aspect %g: %g of a square", aspects[k], fit);
+        assert_memory_equal(&square, &v, offsetof(lobe_view, vertical_degrees));
+        assert_true(k > 2 || v.vertical_degrees == square.vertical_degrees);
+    }
     lobe_scene_free(scene);
 }
 
@@ -108,9 +120,9 @@ static void what_is_no_view_is_refused(void **state) {
     lobe_view v;
     static const int bad[][2] = {{0, 0}, {-1, 4}, {4, 4}, {0, -1}};
     for (int k = 0; k < 4; ++k)
-        assert_int_equal(lobe_scene_orbit(scene, NULL, bad[k][0], bad[k][1], &v),
+        assert_int_equal(lobe_scene_orbit(scene, NULL, 1, bad[k][0], bad[k][1], &v),
                          LOBE_RENDER_BAD_INPUT);
-    assert_int_equal(lobe_scene_orbit(scene, "nobody", 0, 4, &v), LOBE_RENDER_BAD_INPUT);
+    assert_int_equal(lobe_scene_orbit(scene, "nobody", 1, 0, 4, &v), LOBE_RENDER_BAD_INPUT);
     lobe_scene_free(scene);
 }
 
