@@ -9,9 +9,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <lobe/render.h>
+#include <lobe/camera_path.h>
 
 #include "commands.h"
+#include "frames.h"
 #include "interrupt.h"
 #include "json.h"
 #include "model.h"
@@ -27,7 +28,9 @@ typedef struct picture_part {
 typedef struct render_values {
     lobe_app_view view;
     const char *out, *reference, *checkpoint, *resume;
-    uint64_t spp;
+    const char *camera_path;
+    lobe_camera_path *path; /* what it holds; NULL: none */
+    uint64_t spp, orbit;    /* orbit: 0: none */
     picture_part part;
     double checkpoint_every, noise, time_limit;
     uint32_t aovs;
@@ -35,6 +38,14 @@ typedef struct render_values {
     int method, progress;
     bool list_scenes, json, keep_seconds;
 } render_values;
+
+/* One of the pictures of a call. */
+typedef struct picture {
+    int number; /* from 1; 0: it is the only one */
+    const char *out, *checkpoint, *resume;
+    const lobe_view *view, *previous; /* NULL: the camera of the options */
+    float focus;                      /* 0: that of the options */
+} picture;
 
 #define AOV_NAME(ID, name, channels, about) " " name
 #define AOV_NAMES LOBE_AOVS(AOV_NAME)
@@ -90,6 +101,16 @@ static const lobe_app_option picture_options[] = {
      NULL},
     {0}};
 
+static const lobe_app_option sequence_options[] = {
+    {"--orbit", "N", "none",
+     "a turntable: N pictures from around the middle of the scene, FILE.0001.exr and on",
+     lobe_app_read_count, AT(orbit), NULL},
+    {"--camera-path", "FILE", "none",
+     "a picture for each camera of a JSON file (docs/camera.md, docs/gbuffer.md), numbered "
+     "likewise",
+     lobe_app_read_name, AT(camera_path), NULL},
+    {0}};
+
 static const lobe_app_option long_options[] = {
     {"--checkpoint", "FILE", NULL, "keep what is finished in FILE, now and then and at the end",
      lobe_app_read_name, AT(checkpoint), NULL},
@@ -139,23 +160,43 @@ static lobe_app_status list_scenes(bool json) {
 typedef struct render_run {
     double time_limit; /* seconds; 0: none */
     lobe_app_progress progress;
-    bool has_begun;
+    bool has_begun, has_failed_to_save;
+    int index, count; /* of the picture */
+    double samples;   /* of the pictures before */
+    char label[48];
 } render_run;
 
 /* Whichever of the samples and the time comes first ends the work. */
 static void show_progress(void *user, const lobe_render_progress *p) {
     render_run *run = user;
+    const double work = run->samples + (double)p->samples;
     if (!run->has_begun) {
         run->has_begun = true;
-        run->progress.fraction_before = p->fraction;
-        run->progress.work_before = (double)p->samples;
+        run->progress.fraction_before = (run->index + p->fraction) / run->count;
+        run->progress.work_before = work;
     }
     const double time_share = run->time_limit > 0 ? fmin(p->seconds / run->time_limit, 1) : 0;
-    lobe_app_show_progress(&run->progress, fmax(p->fraction, time_share), (double)p->samples);
+    const double share = fmax(p->fraction, time_share);
+    lobe_app_show_progress(&run->progress, (run->index + share) / run->count, work);
 }
 
-static lobe_render_options render_options(const render_values *v, render_run *run) {
+static render_run begin_run(const render_values *v, int count) {
+    return (render_run){.time_limit = v->time_limit,
+                        .progress = lobe_app_begin_progress(v->progress, "render", "samples"),
+                        .count = count};
+}
+
+/* Pictures go on without a checkpoint, but that is not what was asked for. */
+static lobe_app_status end_run(const render_run *run, lobe_app_status status) {
+    return !status && run->has_failed_to_save ? LOBE_APP_FAILED : status;
+}
+
+static lobe_render_options render_options(const render_values *v, const picture *picture,
+                                          render_run *run) {
     lobe_render_options r = lobe_app_view_render_options(&v->view);
+    r.view = picture->view;
+    r.previous_view = picture->previous;
+    if (picture->focus > 0) r.focus = picture->focus;
     r.reflection.model = v->model;
     r.samples = (uint32_t)v->spp;
     r.time_limit = v->time_limit;
@@ -163,9 +204,9 @@ static lobe_render_options render_options(const render_values *v, render_run *ru
     r.progress = show_progress;
     r.progress_user = run;
     r.noise = v->noise;
-    r.checkpoint = v->checkpoint;
+    r.checkpoint = picture->checkpoint;
     r.checkpoint_seconds = v->checkpoint_every;
-    r.resume = v->resume;
+    r.resume = picture->resume;
     r.part = v->part.part;
     r.parts = v->part.parts;
     return r;
@@ -192,12 +233,13 @@ static json_t *json_error(const lobe_picture_difference *d) {
 }
 
 /* What was measured, with the error against the reference if there is one. */
-static lobe_app_status print_statistics(const render_values *v, const char *scene,
+static lobe_app_status print_statistics(const render_values *v, const char *scene, int number,
                                         const lobe_render_statistics *st,
                                         const lobe_picture_difference *d) {
     if (v->json) {
         json_t *object = json_statistics(v, scene, st);
         if (object && v->reference) json_object_set_new(object, "error", json_error(d));
+        if (object && number) json_object_set_new(object, "frame", json_integer(number));
         return lobe_app_print_json(object);
     }
     if (v->reference)
@@ -221,46 +263,184 @@ static lobe_app_status read_reference(const render_values *v, lobe_film **film) 
 }
 
 static lobe_app_status finish_picture(const render_values *v, const char *scene,
-                                      const lobe_film *film, const lobe_film *reference,
+                                      const picture *picture, const lobe_film *film,
+                                      const lobe_film *reference,
                                       const lobe_render_statistics *st) {
     lobe_film_write_options write = lobe_film_default_write_options();
     lobe_picture_difference difference = {0};
     write.exposure = (float)v->view.exposure;
     write.keep_seconds = v->keep_seconds;
+    write.durable = picture->number && picture->checkpoint;
     lobe_render_result result = LOBE_RENDER_OK;
-    if (v->out) result = lobe_film_write(film, v->out, write);
+    if (picture->out) result = lobe_film_write(film, picture->out, write);
     if (result == LOBE_RENDER_OK && reference)
         result = lobe_film_compare(film, reference, &difference);
     if (result != LOBE_RENDER_OK) return lobe_app_render_failed(result);
-    return print_statistics(v, scene, st, &difference);
+    return print_statistics(v, scene, picture->number, st, &difference);
 }
 
-static lobe_app_status render_scene(const render_values *v, const char *source,
-                                    const lobe_scene *scene, const lobe_film *reference) {
+static lobe_app_status render_picture(const render_values *v, const char *source,
+                                      const lobe_scene *scene, const picture *picture,
+                                      render_run *run, const lobe_film *reference) {
     lobe_film *film = NULL;
     lobe_render_statistics statistics;
-    render_run run = {v->time_limit, lobe_app_begin_progress(v->progress, "render", "samples"),
-                      false};
     const lobe_render_result result =
-        lobe_render(scene, render_options(v, &run), &film, &statistics);
-    lobe_app_end_progress(&run.progress);
+        lobe_render(scene, render_options(v, picture, run), &film, &statistics);
+    lobe_app_end_progress(&run->progress);
     if (!film && result == LOBE_RENDER_OK) return LOBE_APP_DONE; /* rank 0 has it */
     if (!film) return lobe_app_render_failed(result);
     lobe_app_status status = LOBE_APP_DONE;
     if (statistics.samples > 0) /* else a black picture would replace an older one */
-        status = finish_picture(v, source, film, reference, &statistics);
+        status = finish_picture(v, source, picture, film, reference, &statistics);
+    run->samples += (double)statistics.samples;
     if (status == LOBE_APP_DONE && result == LOBE_RENDER_INTERRUPTED) status = LOBE_APP_INTERRUPTED;
-    if (status == LOBE_APP_DONE && statistics.has_failed_to_save) status = LOBE_APP_FAILED;
+    run->has_failed_to_save |= statistics.has_failed_to_save;
     lobe_film_free(film);
     return status;
+}
+
+static lobe_app_status render_alone(const render_values *v, const char *source,
+                                    const lobe_scene *scene, const lobe_film *reference) {
+    const picture picture = {.out = v->out, .checkpoint = v->checkpoint, .resume = v->resume};
+    render_run run = begin_run(v, 1);
+    return end_run(&run, render_picture(v, source, scene, &picture, &run, reference));
 }
 
 /* What one rank cannot do, none does: they would wait for it. */
 static lobe_app_status agree(lobe_app_status status) {
     const bool is_good = status == LOBE_APP_DONE;
-    const lobe_render_result all =
-        lobe_ranks_agree(is_good ? LOBE_RENDER_OK : LOBE_RENDER_BAD_INPUT);
+    const lobe_render_result own =
+        status == LOBE_APP_FAILED ? LOBE_RENDER_FAILED : LOBE_RENDER_BAD_INPUT;
+    const lobe_render_result all = lobe_ranks_agree(is_good ? LOBE_RENDER_OK : own);
     return is_good && all != LOBE_RENDER_OK ? lobe_app_render_failed(all) : status;
+}
+
+/* ---- Several pictures ------------------------------------------------------------------------ */
+
+/* A picture of a sequence: its names and view. */
+typedef struct numbered {
+    picture picture;
+    char out[LOBE_APP_FRAME_NAME], checkpoint[LOBE_APP_FRAME_NAME], resume[LOBE_APP_FRAME_NAME];
+    lobe_view view, previous;
+} numbered;
+
+/* 0: one picture alone. */
+static int count_frames(const render_values *v) {
+    return v->path ? lobe_camera_path_count(v->path) : (int)v->orbit;
+}
+
+static lobe_app_status name_files(const render_values *v, numbered *n) {
+    picture *p = &n->picture;
+    const bool fits =
+        (!v->out || lobe_app_frame_picture(n->out, v->out, p->number)) &&
+        (!v->checkpoint || lobe_app_frame_checkpoint(n->checkpoint, v->checkpoint, p->number)) &&
+        (!v->resume || lobe_app_frame_checkpoint(n->resume, v->resume, p->number));
+    if (!fits) return lobe_app_reject("-o", "use shorter names", "a name is too long");
+    p->out = v->out ? n->out : NULL;
+    p->checkpoint = v->checkpoint ? n->checkpoint : NULL;
+    p->resume = v->resume ? n->resume : NULL;
+    return LOBE_APP_DONE;
+}
+
+/* The focus of a turntable does not move. */
+static lobe_render_result aim_on_turntable(const render_values *v, const lobe_scene *scene,
+                                           numbered *n) {
+    const int count = count_frames(v), index = n->picture.number - 1;
+    const float aspect = (float)v->view.size.width / (float)v->view.size.height;
+    lobe_view first;
+    lobe_render_result result = lobe_scene_orbit(scene, v->view.camera, aspect, 0, count, &first);
+    if (result == LOBE_RENDER_OK)
+        result = lobe_scene_orbit(scene, v->view.camera, aspect, index, count, &n->view);
+    if (result == LOBE_RENDER_OK)
+        result = lobe_scene_orbit(scene, v->view.camera, aspect, index ? index - 1 : 0, count,
+                                  &n->previous);
+    if (result == LOBE_RENDER_OK && isnan(v->view.focus))
+        n->picture.focus = lobe_scene_focus(scene, &first);
+    return result;
+}
+
+static lobe_app_status aim_picture(const render_values *v, const lobe_scene *scene, numbered *n) {
+    n->picture.view = &n->view;
+    n->picture.previous = &n->previous;
+    if (v->path) {
+        const lobe_path_frame *frame = lobe_camera_path_get(v->path, n->picture.number - 1);
+        n->view = frame->camera.view;
+        n->previous = frame->previous.view;
+        if (isnan(v->view.focus)) n->picture.focus = frame->camera.focus;
+        return LOBE_APP_DONE;
+    }
+    const lobe_render_result result = aim_on_turntable(v, scene, n);
+    return result == LOBE_RENDER_OK ? LOBE_APP_DONE : lobe_app_render_failed(result);
+}
+
+static lobe_app_status find_finished(const render_values *v, const lobe_scene *scene,
+                                     const picture *p, render_run *run, int *is_finished) {
+    *is_finished = 0;
+    if (!p->out) return LOBE_APP_DONE;
+    const lobe_render_result result = lobe_render_find_finished(
+        scene, render_options(v, p, run), p->out, (float)v->view.exposure, is_finished);
+    return result == LOBE_RENDER_OK ? LOBE_APP_DONE : lobe_app_render_failed(result);
+}
+
+/* It is of no use any more once the picture tells all that it does. */
+static lobe_app_status drop_checkpoint(const render_values *v, const lobe_scene *scene,
+                                       const picture *p, render_run *run) {
+    int is_finished;
+    if (!p->checkpoint) return LOBE_APP_DONE;
+    const lobe_app_status status = find_finished(v, scene, p, run, &is_finished);
+    if (is_finished) unlink(p->checkpoint);
+    return status;
+}
+
+static lobe_app_status tell_finished(const render_values *v, const picture *p) {
+    if (!v->json) return LOBE_APP_DONE;
+    return lobe_app_print_json(json_pack("{si sb}", "frame", p->number, "was_finished", (int)true));
+}
+
+/* Of the pictures that come after the one that was stopped there is no checkpoint yet. */
+static bool is_missing(const char *path) {
+    return access(path, F_OK) != 0 && errno == ENOENT;
+}
+
+/* One of them; `is_going_on`: something of an earlier run was found. */
+static lobe_app_status render_numbered(const render_values *v, const char *source,
+                                       const lobe_scene *scene, numbered *n, render_run *run,
+                                       bool *is_going_on) {
+    picture *p = &n->picture;
+    int is_finished = 0;
+    lobe_app_status status = name_files(v, n);
+    if (!status) status = aim_picture(v, scene, n);
+    if (!status && v->resume) status = find_finished(v, scene, p, run, &is_finished);
+    if (!status && v->resume && *is_going_on && is_missing(n->resume)) p->resume = NULL;
+    *is_going_on = true;
+    if (status) return status;
+    if (is_finished) return agree(tell_finished(v, p));
+    status = render_picture(v, source, scene, p, run, NULL);
+    if (status == LOBE_APP_INTERRUPTED || lobe_app_interrupted) return LOBE_APP_INTERRUPTED;
+    status = agree(status);
+    return status ? status : drop_checkpoint(v, scene, p, run);
+}
+
+static lobe_app_status render_sequence(const render_values *v, const char *source,
+                                       const lobe_scene *scene) {
+    const int count = count_frames(v);
+    render_run run = begin_run(v, count);
+    lobe_app_status status = LOBE_APP_DONE;
+    bool is_going_on = false;
+    run.progress.label = run.label;
+    for (int i = 0; i < count && !status; i++) {
+        numbered n = {.picture.number = i + 1};
+        run.index = i;
+        snprintf(run.label, sizeof run.label, "frame %d/%d", i + 1, count);
+        status = render_numbered(v, source, scene, &n, &run, &is_going_on);
+    }
+    return end_run(&run, status);
+}
+
+static lobe_app_status render_scene(const render_values *v, const char *source,
+                                    const lobe_scene *scene, const lobe_film *reference) {
+    return count_frames(v) ? render_sequence(v, source, scene)
+                           : render_alone(v, source, scene, reference);
 }
 
 static lobe_app_status render(const render_values *v, const char *source) {
@@ -334,6 +514,32 @@ static lobe_app_status check_part(const render_values *v) {
     return LOBE_APP_DONE;
 }
 
+/* Where several pictures come out of one call. */
+static lobe_app_status check_sequence(const render_values *v) {
+    const char *option = v->path ? "--camera-path" : "--orbit";
+    if (!count_frames(v)) return LOBE_APP_DONE;
+    if (v->orbit > LOBE_APP_FRAMES_MAX)
+        return lobe_app_reject(option, "use 1 to 100000", "too many pictures");
+    if (v->reference)
+        return lobe_app_reject("--reference", "leave one of the two out",
+                               "it is one picture, %s makes several", option);
+    const bool tells = v->out && ends_with(v->out, ".exr");
+    if (!tells && (v->checkpoint || v->resume))
+        return lobe_app_reject(v->checkpoint ? "--checkpoint" : "--resume", "give -o FILE.exr",
+                               "of several pictures only .exr tell that they are finished");
+    return v->path ? lobe_app_check_shapes(v->camera_path, v->path, v->view.size) : LOBE_APP_DONE;
+}
+
+/* A path says where the camera is. */
+static lobe_app_status read_path(render_values *v, const lobe_app_arguments *arguments) {
+    if (!v->camera_path) return LOBE_APP_DONE;
+    lobe_app_status status = lobe_app_exclude(arguments, "--camera-path", "--orbit");
+    if (!status) status = lobe_app_exclude(arguments, "--camera-path", "--camera");
+    if (status) return status;
+    const lobe_render_result result = lobe_camera_path_read(v->camera_path, &v->path);
+    return result == LOBE_RENDER_OK ? LOBE_APP_DONE : lobe_app_render_failed(result);
+}
+
 static lobe_app_status check(const render_values *v, const lobe_app_arguments *arguments) {
     if (!arguments->operand)
         return lobe_app_reject("render", "give a file or a name of --list-scenes", "no scene");
@@ -341,11 +547,15 @@ static lobe_app_status check(const render_values *v, const lobe_app_arguments *a
         return lobe_app_reject("-o", "give a file name, as -o picture.png", "no picture to write");
     if (v->aovs && !v->out)
         return lobe_app_reject("--aov", "give -o FILE.exr", "no picture to hold the channels");
+    if (v->aovs & LOBE_AOV_BIT(LOBE_AOV_MOTION) && !count_frames(v))
+        return lobe_app_reject("--aov", "give --orbit or --camera-path",
+                               "one picture alone has no motion");
     if (v->spp > LOBE_RENDER_SAMPLES_MAX)
         return lobe_app_reject("--spp", "use 1 to 16777216", "too many samples");
     if (v->time_limit < 0) return lobe_app_reject("--time", "give seconds", "a negative time");
     if (v->noise < 0) return lobe_app_reject("--noise", "give 0.05 or so", "a negative noise");
     lobe_app_status status = lobe_app_check_view(&v->view);
+    if (!status) status = check_sequence(v);
     if (!status) status = check_part(v);
     if (!status) status = check_checkpoint(v);
     return !status && v->out ? check_picture(v) : status;
@@ -353,11 +563,10 @@ static lobe_app_status check(const render_values *v, const lobe_app_arguments *a
 
 static lobe_app_status run(int argc, char **argv) {
     render_values values = default_values();
-    const lobe_app_group groups[] = {{"Picture", picture_options, &values},
-                                     {"Long renders", long_options, &values},
-                                     LOBE_APP_VIEW_GROUPS(&values.view),
-                                     {"Output", output_options, &values},
-                                     {0}};
+    const lobe_app_group groups[] = {
+        {"Picture", picture_options, &values},   {"Several pictures", sequence_options, &values},
+        {"Long renders", long_options, &values}, LOBE_APP_VIEW_GROUPS(&values.view),
+        {"Output", output_options, &values},     {0}};
     const lobe_app_command command = {"render",
                                       "SCENE -o FILE [OPTIONS]",
                                       "Path-traces a scene: a file (glTF 2.0, OBJ, what else the "
@@ -374,8 +583,11 @@ static lobe_app_status run(int argc, char **argv) {
     if (values.list_scenes) return list_scenes(values.json);
     status = lobe_app_choose_render_model(&values.view, values.method, &values.model);
     if (status || (status = lobe_app_check_floor(&arguments, values.model))) return status;
-    if ((status = agree(check(&values, &arguments)))) return status;
-    return render(&values, arguments.operand);
+    status = read_path(&values, &arguments);
+    if (!status) status = check(&values, &arguments);
+    if (!(status = agree(status))) status = render(&values, arguments.operand);
+    lobe_camera_path_free(values.path);
+    return status;
 }
 
 /* Only rank 0 has something to say. */

@@ -5,12 +5,14 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <lobe/ssr_frames.h>
 #include <lobe/ssr_picture.h>
 #include <lobe/version.h>
 
 #include "commands.h"
+#include "frames.h"
 #include "interrupt.h"
 #include "json.h"
 #include "model.h"
@@ -23,13 +25,21 @@
 #include "ssr_source.h"
 #include "ssr_write.h"
 
+/* A file, or a name of `paths`. */
+typedef struct camera_path {
+    const char *file; /* NULL: none */
+    int name;
+} camera_path;
+
 typedef struct ssr_values {
     const char *out, *gbuffer, *compare, *camera, *environment;
     lobe_app_size size;
     uint64_t frames, spp, seed, threads, iterations, truth_rays;
     double roughness, anisotropy, thickness, edge_fade, smoothness_start, smoothness_end,
         accumulation, bias, speed_rejection, speed_scale;
-    int path, mode, method, resolve, backend, progress;
+    camera_path path;
+    lobe_camera_path *cameras; /* of its file; NULL: none */
+    int mode, method, resolve, backend, progress;
     bool truth, no_sky, linear, as_hdrp, json;
 } ssr_values;
 
@@ -54,14 +64,23 @@ static bool read_signed_share(const lobe_app_option *option, const char *text, v
     return false;
 }
 
+static bool read_path(const lobe_app_option *option, const char *text, void *value) {
+    camera_path *path = value;
+    bool is_name = false;
+    for (int i = 0; paths[i]; i++) is_name |= strcmp(text, paths[i]) == 0;
+    path->file = !is_name && access(text, F_OK) == 0 ? text : NULL;
+    return path->file || lobe_app_read_choice(option, text, &path->name);
+}
+
 static const lobe_app_option frame_options[] = {
     {"-o", "DIR", NULL, "folder for frames, truth and stats.json", lobe_app_read_name, AT(out),
      NULL},
     {"--size", "WxH", "640x360", "in pixels", lobe_app_read_size, AT(size), NULL},
-    {"--frames", "N", "8", "how many", lobe_app_read_count, AT(frames), NULL},
-    {"--camera-path", "NAME", "orbit",
-     "a frame: 1 degree about the target, 1 % toward it, half a percent by chance, nothing",
-     lobe_app_read_choice, AT(path), paths},
+    {"--frames", "N", "8, or all of a file", "how many", lobe_app_read_count, AT(frames), NULL},
+    {"--camera-path", "NAME|FILE", "orbit",
+     "a frame: 1 degree about the target, 1 % toward it (dolly), half a percent by chance (shake), "
+     "nothing (still); or a JSON file of cameras: docs/camera.md",
+     read_path, AT(path), paths},
     {"--camera", "NAME", "the first", "a camera of the file", lobe_app_read_name, AT(camera), NULL},
     {"--env", "FILE", "the scene's own light, or a sky", "panorama to light with",
      lobe_app_read_name, AT(environment), NULL},
@@ -203,7 +222,8 @@ static lobe_ssr_scene_options scene_options(ssr_run *run) {
     o.width = v->size.width;
     o.height = v->size.height;
     o.count = (int)v->frames;
-    o.path = (lobe_ssr_path)v->path;
+    o.path = (lobe_ssr_path)v->path.name;
+    o.cameras = v->cameras;
     o.samples = (uint32_t)v->spp;
     o.roughness = (float)v->roughness;
     o.anisotropy = (float)v->anisotropy;
@@ -216,9 +236,28 @@ static lobe_ssr_scene_options scene_options(ssr_run *run) {
     return o;
 }
 
+static int write_view(char *text, size_t size, const lobe_view *v) {
+    return snprintf(text, size, " %.9g %.9g %.9g %.9g %.9g %.9g %.9g %.9g %.9g %.9g",
+                    (double)v->position.x, (double)v->position.y, (double)v->position.z,
+                    (double)v->target.x, (double)v->target.y, (double)v->target.z, (double)v->up.x,
+                    (double)v->up.y, (double)v->up.z, (double)v->vertical_degrees);
+}
+
+/* The name of a path, or the cameras of this frame. */
+static void write_path(const ssr_run *run, char *text, size_t size) {
+    const ssr_values *v = run->values;
+    snprintf(text, size, "%s", paths[v->path.name]);
+    if (!v->cameras) return;
+    const lobe_path_frame *frame = lobe_camera_path_get(v->cameras, run->frame);
+    const int length = write_view(text, size, &frame->camera.view);
+    write_view(text + length, size - (size_t)length, &frame->previous.view);
+}
+
 /* What a kept truth depends on. */
 static void write_key(const ssr_run *run, char *key, size_t size) {
     const ssr_values *v = run->values;
+    char path[400];
+    write_path(run, path, sizeof path);
     struct stat file = {0};
     if (stat(run->source, &file) != 0) file = (struct stat){0};
     snprintf(key, size,
@@ -226,7 +265,7 @@ static void write_key(const ssr_run *run, char *key, size_t size) {
              "spp %llu "
              "roughness %.9g anisotropy %.9g seed %llu mode %s rays %llu",
              LOBE_VERSION_STRING, run->source, (long long)file.st_size, (long long)file.st_mtime,
-             v->environment ? v->environment : "-", v->camera ? v->camera : "-", paths[v->path],
+             v->environment ? v->environment : "-", v->camera ? v->camera : "-", path,
              v->size.width, v->size.height, run->frame, (unsigned long long)v->spp, v->roughness,
              v->anisotropy, (unsigned long long)v->seed, modes[v->mode == LOBE_SSR_MIRROR ? 0 : 2],
              (unsigned long long)v->truth_rays);
@@ -234,7 +273,7 @@ static void write_key(const ssr_run *run, char *key, size_t size) {
 
 static lobe_ssr_result find_truth(ssr_run *run) {
     const ssr_values *v = run->values;
-    char key[1024];
+    char key[1400];
     write_key(run, key, sizeof key);
     if (lobe_app_read_truth(v->out, run->frame, key, &run->truth)) return LOBE_SSR_OK;
     run->part = 1;
@@ -525,6 +564,23 @@ static lobe_app_status check_folder(const lobe_app_arguments *arguments) {
     return LOBE_APP_DONE;
 }
 
+/* A file says how many frames there are. */
+static lobe_app_status read_cameras(ssr_values *v, const lobe_app_arguments *arguments) {
+    if (!v->path.file) return LOBE_APP_DONE;
+    const lobe_app_status status = lobe_app_exclude(arguments, "--camera-path", "--camera");
+    if (status) return status;
+    const lobe_render_result read = lobe_camera_path_read(v->path.file, &v->cameras);
+    if (read != LOBE_RENDER_OK) {
+        lobe_app_report_line(lobe_render_error_message());
+        return read == LOBE_RENDER_BAD_INPUT ? LOBE_APP_BAD_INPUT : LOBE_APP_FAILED;
+    }
+    const uint64_t count = (uint64_t)lobe_camera_path_count(v->cameras);
+    if (!lobe_app_is_given(arguments, "--frames")) v->frames = count;
+    if (v->frames > count)
+        return lobe_app_reject("--frames", "use fewer", "%s has %d", v->path.file, (int)count);
+    return lobe_app_check_shapes(v->path.file, v->cameras, v->size);
+}
+
 static lobe_app_status check(ssr_values *v, const lobe_app_arguments *arguments) {
     if (!arguments->operand)
         return lobe_app_reject(
@@ -538,7 +594,8 @@ static lobe_app_status check(ssr_values *v, const lobe_app_arguments *arguments)
         return lobe_app_reject("--truth-rays", "give --truth too", "no truth was asked for");
     if (v->gbuffer && strcmp(v->gbuffer, v->out) == 0)
         return lobe_app_reject("--write-gbuffer", "give another folder", "the same as of -o");
-    lobe_app_status status = check_counts(v);
+    lobe_app_status status = read_cameras(v, arguments);
+    if (!status) status = check_counts(v);
     if (!status && lobe_app_is_folder(arguments->operand)) status = check_folder(arguments);
     return status ? status : check_method(v, arguments);
 }
@@ -563,14 +620,15 @@ lobe_app_status lobe_app_ssr(int argc, char **argv) {
     lobe_app_arguments arguments;
     lobe_app_status status = lobe_app_parse(&command, argc, argv, &arguments);
     if (status || arguments.is_answered) return status;
-    if ((status = check(&values, &arguments))) return status;
-    char *line = lobe_app_command_line("ssr", argc, argv);
+    status = check(&values, &arguments);
+    char *line = status ? NULL : lobe_app_command_line("ssr", argc, argv);
     if (line) {
         status = reflect(&values, &arguments, line);
-    } else {
+    } else if (!status) {
         lobe_app_report("ssr", "free some", "out of memory");
         status = LOBE_APP_FAILED;
     }
     free(line);
+    lobe_camera_path_free(values.cameras);
     return status;
 }

@@ -19,11 +19,37 @@ static bool read_material(const lobe_app_option *option, const char *text, void 
     return false;
 }
 
+/* "0.02" or "f/2.8" */
+static bool read_aperture(const lobe_app_option *option, const char *text, void *value) {
+    lobe_app_aperture *a = value;
+    const bool is_f_number = strncmp(text, "f/", 2) == 0;
+    double number;
+    *a = (lobe_app_aperture){0};
+    if (lobe_app_read_numbers(is_f_number ? text + 2 : text, 1, 1, &number) == 1 &&
+        number <= 1e15 && number >= (is_f_number ? 1e-3 : 0)) {
+        if (is_f_number)
+            a->f_number = number;
+        else
+            a->radius = number;
+        return true;
+    }
+    lobe_app_report(option->name, "give a radius, as 0.02, or an f-number, as f/2.8",
+                    "'%.40s' is no aperture", text);
+    return false;
+}
+
 #define AT(member) offsetof(lobe_app_view, member)
 
 const lobe_app_option lobe_app_camera_options[] = {
     {"--size", "WxH", "960x540", "in pixels", lobe_app_read_size, AT(size), NULL},
     {"--camera", "NAME", "the first", "a camera of the file", lobe_app_read_name, AT(camera), NULL},
+    {"--aperture", "R|f/N", "0",
+     "radius of a thin lens in units of the scene, or the f-number of a camera of 24 mm, a unit "
+     "being a metre; 0: all is sharp",
+     read_aperture, AT(aperture), NULL},
+    {"--focus", "DISTANCE", "what the middle of the picture shows",
+     "where a lens is sharp, in units of the scene along the view", lobe_app_read_f64, AT(focus),
+     NULL},
     {"--exposure", "EV", "0", "stops, for the written picture", lobe_app_read_f64, AT(exposure),
      NULL},
     {0}};
@@ -79,6 +105,7 @@ lobe_app_view lobe_app_default_view(void) {
                            .depth = (uint64_t)r.depth,
                            .floor = r.reflection.floor,
                            .frame_time = NAN,
+                           .focus = NAN,
                            .heuristic = (int)r.heuristic,
                            .material = {0.8, 0.8, 0.8, 0, 0.5}};
 }
@@ -88,6 +115,10 @@ lobe_app_status lobe_app_check_view(const lobe_app_view *v) {
     if (v->threads > 1024) return lobe_app_reject("--threads", "use 1 to 1024", "too many threads");
     if (!(fabs(v->exposure) <= 100))
         return lobe_app_reject("--exposure", "use -100 to 100", "out of range");
+    if (!isnan(v->focus) && !(v->focus >= 1e-15 && v->focus <= 1e15))
+        return lobe_app_reject("--focus", "give a distance above 0", "out of range");
+    if (!isnan(v->focus) && !(v->aperture.radius > 0) && !(v->aperture.f_number > 0))
+        return lobe_app_reject("--focus", "give --aperture too", "without a lens all is sharp");
     if (!(fabs(v->rotation) <= 36000))
         return lobe_app_reject("--env-rotate", "use degrees, at most 36000", "out of range");
     if (v->animation && isnan(v->frame_time))
@@ -128,6 +159,9 @@ lobe_render_options lobe_app_view_render_options(const lobe_app_view *v) {
     r.seed = v->seed;
     r.threads = (int)v->threads;
     r.camera = v->camera;
+    r.aperture = (float)v->aperture.radius;
+    r.f_number = (float)v->aperture.f_number;
+    r.focus = isnan(v->focus) ? 0.0f : (float)v->focus;
     r.heuristic = (lobe_heuristic)v->heuristic;
     r.multiscatter = (lobe_multiscatter)v->multiscatter;
     r.metal = v->metal;

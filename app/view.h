@@ -10,11 +10,18 @@
 #include "model.h"
 #include "options.h"
 
+/* One of the two, or none: a pinhole. */
+typedef struct lobe_app_aperture {
+    double radius, f_number;
+} lobe_app_aperture;
+
 typedef struct lobe_app_view {
     lobe_app_size size;
     const char *environment, *camera;
     uint64_t depth, seed, threads;
     const char *animation;
+    lobe_app_aperture aperture;
+    double focus; /* NaN: not given */
     double exposure, rotation, material[5], floor, frame_time;
     int ndf, masking, g2, normalization, heuristic, multiscatter;
     lobe_metal metal;

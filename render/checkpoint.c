@@ -13,7 +13,7 @@
 #include "message.h"
 #include "output.h"
 
-enum { BYTE_ORDER_MARK = 0x01020304, FORMAT = 1, SEEDS_MAX = 1 << 20 };
+enum { BYTE_ORDER_MARK = 0x01020304, FORMAT = 2, SEEDS_MAX = 1 << 20 };
 
 static const char magic[16] = "lobe checkpoint";
 

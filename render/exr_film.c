@@ -10,12 +10,15 @@
 #include "message.h"
 
 const char *lobe_exr_components(lobe_aov aov) {
-    static const char *const components[LOBE_AOV_COUNT] = {[LOBE_AOV_ALBEDO] = "RGB",
-                                                           [LOBE_AOV_NORMAL] = "XYZ",
-                                                           [LOBE_AOV_DEPTH] = "Z",
-                                                           [LOBE_AOV_REJECTED] = "Y",
-                                                           [LOBE_AOV_VNDF_INTEGRAL] = "Y"};
+    static const char *const components[LOBE_AOV_COUNT] = {
+        [LOBE_AOV_ALBEDO] = "RGB", [LOBE_AOV_NORMAL] = "XYZ",      [LOBE_AOV_DEPTH] = "Z",
+        [LOBE_AOV_REJECTED] = "Y", [LOBE_AOV_VNDF_INTEGRAL] = "Y", [LOBE_AOV_MOTION] = "XY"};
     return components[aov];
+}
+
+void lobe_exr_options(char text[EXR_OPTIONS_ROOM], const char *identity, float exposure) {
+    snprintf(text, EXR_OPTIONS_ROOM, "%s", identity);
+    if (exposure != 0.0f) snprintf(text + strlen(text), 32, "exposure %.9g\n", (double)exposure);
 }
 
 enum { CHANNELS_MAX = 4 + 3 * LOBE_AOV_COUNT };
@@ -176,7 +179,8 @@ static lobe_render_result film_of(const char *path, exr_context_t file, const pl
     static const int first_values[LOBE_AOV_COUNT] = {[LOBE_AOV_ALBEDO] = 0,
                                                      [LOBE_AOV_NORMAL] = 3,
                                                      [LOBE_AOV_DEPTH] = 6,
-                                                     [LOBE_AOV_VNDF_INTEGRAL] = 7};
+                                                     [LOBE_AOV_VNDF_INTEGRAL] = 7,
+                                                     [LOBE_AOV_MOTION] = 8};
     const int64_t aovs = aovs_of(p);
     if (aovs < 0) return not_ours(path);
     *film = lobe_film_create(p->width, p->height, (uint32_t)aovs);

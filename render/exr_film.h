@@ -15,6 +15,10 @@
 /* Components of a channel as letters: "RGB". */
 const char *lobe_exr_components(lobe_aov aov);
 
+/* What EXR_OPTIONS holds of a picture that is written at an exposure. */
+enum { EXR_OPTIONS_ROOM = IDENTITY_ROOM + 32 };
+void lobe_exr_options(char text[EXR_OPTIONS_ROOM], const char *identity, float exposure);
+
 lobe_render_result lobe_exr_read_film(const char *path, lobe_film **film);
 
 #endif

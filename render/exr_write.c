@@ -104,15 +104,13 @@ static void write_seeds(exr_context_t file, const film_metadata *m) {
 
 static void write_metadata(exr_context_t file, const film_metadata *metadata,
                            const lobe_film_write_options *options) {
-    char identity[IDENTITY_ROOM + 32];
+    char identity[EXR_OPTIONS_ROOM];
     exr_attr_set_string(file, 0, "software", "lobe " LOBE_VERSION_STRING);
     if (!metadata->identity[0]) return;
     exr_attr_set_string(file, 0, EXR_SCENE, metadata->scene);
     exr_attr_set_string(file, 0, EXR_METHOD, metadata->method);
     exr_attr_set_string(file, 0, "lobe.version", LOBE_VERSION_STRING);
-    snprintf(identity, sizeof identity, "%s", metadata->identity);
-    if (options->exposure != 0.0f)
-        snprintf(identity + strlen(identity), 32, "exposure %.9g\n", (double)options->exposure);
+    lobe_exr_options(identity, metadata->identity, options->exposure);
     exr_attr_set_string(file, 0, EXR_OPTIONS, identity);
     write_seeds(file, metadata);
     exr_attr_set_int(file, 0, EXR_SAMPLES, (int32_t)metadata->samples);
@@ -134,9 +132,10 @@ static exr_result_t write_header(exr_context_t file, const lobe_film *film, cons
         status = exr_initialize_required_attr_simple(file, 0, film->width, film->height,
                                                      compressions[options.compression]);
     for (int i = 0; i < l->count && status == EXR_ERR_SUCCESS; i++) {
-        /* Distances and numbers of samples need more than the eleven bits of half. */
+        /* Distances, motion and numbers of samples need more than the eleven bits of half. */
         int is_float = options.pixels == LOBE_FILM_FLOAT ||
                        strcmp(l->channels[i].name, "depth.Z") == 0 ||
+                       strncmp(l->channels[i].name, "motion.", 7) == 0 ||
                        strcmp(l->channels[i].name, EXR_SAMPLES_LAYER "Y") == 0;
         status = exr_add_channel(file, 0, l->channels[i].name,
                                  is_float ? EXR_PIXEL_FLOAT : EXR_PIXEL_HALF,

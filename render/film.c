@@ -10,7 +10,7 @@
 /* Channels that come from the sums of the first hit. */
 static const uint32_t first_hit_aovs =
     LOBE_AOV_BIT(LOBE_AOV_ALBEDO) | LOBE_AOV_BIT(LOBE_AOV_NORMAL) | LOBE_AOV_BIT(LOBE_AOV_DEPTH) |
-    LOBE_AOV_BIT(LOBE_AOV_VNDF_INTEGRAL);
+    LOBE_AOV_BIT(LOBE_AOV_VNDF_INTEGRAL) | LOBE_AOV_BIT(LOBE_AOV_MOTION);
 
 lobe_film *lobe_film_create(int width, int height, uint32_t aovs) {
     size_t count = (size_t)width * (size_t)height;
@@ -59,8 +59,9 @@ void lobe_film_add(lobe_film *film, size_t index, const film_sample *sample) {
     if (sample->is_first_half) pixel->half += (double)v3_luminance(sample->radiance);
     if (film->first_hit) {
         const float values[FILM_FIRST_HIT_VALUES] = {
-            sample->albedo.x, sample->albedo.y, sample->albedo.z, sample->normal.x,
-            sample->normal.y, sample->normal.z, sample->depth,    sample->vndf_integral};
+            sample->albedo.x,  sample->albedo.y, sample->albedo.z, sample->normal.x,
+            sample->normal.y,  sample->normal.z, sample->depth,    sample->vndf_integral,
+            sample->motion[0], sample->motion[1]};
         for (int i = 0; i < FILM_FIRST_HIT_VALUES; i++)
             film->first_hit[index * FILM_FIRST_HIT_VALUES + (size_t)i] += (double)values[i];
     }
@@ -174,7 +175,8 @@ int lobe_film_copy_aov(const lobe_film *film, lobe_aov aov, float *values) {
     static const int offsets[LOBE_AOV_COUNT] = {[LOBE_AOV_ALBEDO] = 0,
                                                 [LOBE_AOV_NORMAL] = 3,
                                                 [LOBE_AOV_DEPTH] = 6,
-                                                [LOBE_AOV_VNDF_INTEGRAL] = 7};
+                                                [LOBE_AOV_VNDF_INTEGRAL] = 7,
+                                                [LOBE_AOV_MOTION] = 8};
     if ((unsigned)aov >= LOBE_AOV_COUNT || !(film->aovs & LOBE_AOV_BIT(aov))) return 0;
     if (aov == LOBE_AOV_REJECTED)
         copy_rejected(film, values);

@@ -25,6 +25,7 @@ typedef struct film_sample {
     vec3 albedo, normal;
     float depth;
     float vndf_integral;
+    float motion[2];
     uint32_t draws, rejected; /* of GGX */
     int is_first_half;        /* see film_pixel */
 } film_sample;
@@ -41,11 +42,11 @@ struct lobe_film {
     int width, height;
     uint32_t aovs;      /* LOBE_AOV_BIT */
     film_pixel *pixels; /* rows from the top */
-    double *first_hit;  /* sums of albedo, normal, depth, VNDF integral; NULL: not kept */
+    double *first_hit;  /* sums of albedo, normal, depth, VNDF integral, motion; NULL: not kept */
     film_metadata metadata;
 };
 
-enum { FILM_FIRST_HIT_VALUES = 8, FILM_HALF_BLOCK = 16 };
+enum { FILM_FIRST_HIT_VALUES = 10, FILM_HALF_BLOCK = 16 };
 
 lobe_film *lobe_film_create(int width, int height, uint32_t aovs); /* NULL: no memory */
 

@@ -11,7 +11,7 @@
 #include "output.h"
 
 lobe_film_write_options lobe_film_default_write_options(void) {
-    return (lobe_film_write_options){0.0f, LOBE_FILM_HALF, LOBE_FILM_COMPRESSION_ZIP, 0};
+    return (lobe_film_write_options){.compression = LOBE_FILM_COMPRESSION_ZIP};
 }
 
 int lobe_film_can_write(const char *path) {
@@ -47,7 +47,8 @@ lobe_render_result lobe_film_write(const lobe_film *film, const char *path,
         return lobe_fail(LOBE_RENDER_BAD_INPUT,
                          "%s: too large for .png; end the name with .exr, .hdr or .pfm", path);
     output out;
-    lobe_render_result result = lobe_output_open(&out, path);
+    lobe_render_result result =
+        options.durable ? lobe_output_open_durable(&out, path) : lobe_output_open(&out, path);
     if (result == LOBE_RENDER_OK) result = write_format(film, &out, options);
     return lobe_output_close(&out, result);
 }

@@ -45,8 +45,15 @@ static XXH64_hash_t hash_sky(const lobe_scene *s) {
                                 hash);
 }
 
+static XXH64_hash_t hash_view(const lobe_view *v) {
+    const float view[10] = {v->position.x, v->position.y,      v->position.z, v->target.x,
+                            v->target.y,   v->target.z,        v->up.x,       v->up.y,
+                            v->up.z,       v->vertical_degrees};
+    return XXH3_64bits(view, sizeof view);
+}
+
 /* What was read, not the files: a scene that moved is the same scene. None of these structures has padding. */
-static void add_scene(char *text, const lobe_scene *s, const camera *c) {
+static void add_scene(char *text, const lobe_scene *s, const lobe_view *c) {
     if (isfinite(s->frame_time)) add_line(text, "frame-time %.17g\n", s->frame_time);
     const XXH64_hash_t places =
         XXH3_64bits(s->vertices, (size_t)s->vertex_count * sizeof *s->vertices);
@@ -63,10 +70,7 @@ static void add_scene(char *text, const lobe_scene *s, const camera *c) {
     add_hash(text, "textures", hash_textures(s));
     add_hash(text, "lamps", XXH3_64bits(s->lamps, s->lamp_count * sizeof *s->lamps));
     add_hash(text, "environment", hash_sky(s));
-    const float view[10] = {c->position.x, c->position.y,      c->position.z, c->target.x,
-                            c->target.y,   c->target.z,        c->up.x,       c->up.y,
-                            c->up.z,       c->vertical_degrees};
-    add_hash(text, "camera", XXH3_64bits(view, sizeof view));
+    add_hash(text, "camera", hash_view(c));
 }
 
 static void add_metal(char *text, const lobe_metal *m) {
@@ -84,6 +88,8 @@ static void add_options(char *text, const lobe_render_options *o) {
     const lobe_reflection_options *r = &o->reflection;
     add_line(text, "size %dx%d\nspp %u\ndepth %d\nroulette %d\n", o->width, o->height, o->samples,
              o->depth, o->roulette_depth);
+    if (o->aperture > 0.0f)
+        add_line(text, "aperture %.9g\nfocus %.9g\n", (double)o->aperture, (double)o->focus);
     add_line(text, "ndf %s\nmasking %s\nmethod %s\n", lobe_ndf_name(r->model.ndf),
              lobe_masking_name(r->model.masking), lobe_render_method_name(r->model.method));
     add_line(text, "floor %.9g\ng2 %s\nnormalization %s\n", (double)r->floor,
@@ -92,17 +98,19 @@ static void add_options(char *text, const lobe_render_options *o) {
     add_line(text, "multiscatter %s\nheuristic %s\n", multiscatters[o->multiscatter],
              lobe_heuristic_name(o->heuristic));
     add_metal(text, &o->metal);
+    if (o->aovs & LOBE_AOV_BIT(LOBE_AOV_MOTION) && o->previous_view)
+        add_hash(text, "previous-camera", hash_view(o->previous_view));
     add_line(text, "aov");
     for (int aov = 0; aov < LOBE_AOV_COUNT; aov++)
         if (o->aovs & LOBE_AOV_BIT(aov)) add_line(text, " %s", lobe_aov_name((lobe_aov)aov));
     add_line(text, "%s\n", o->aovs ? "" : " none");
 }
 
-void lobe_identity_write(char text[IDENTITY_ROOM], const lobe_scene *scene, const camera *camera,
+void lobe_identity_write(char text[IDENTITY_ROOM], const lobe_scene *scene, const lobe_view *view,
                          const lobe_render_options *options) {
     memset(text, 0, IDENTITY_ROOM);
     add_line(text, "version %s\nbits %d\n", LOBE_VERSION_STRING, PICTURE_BITS);
-    add_scene(text, scene, camera);
+    add_scene(text, scene, view);
     add_options(text, options);
 }
 

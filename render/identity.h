@@ -7,10 +7,9 @@
 
 enum { IDENTITY_ROOM = 2048, IDENTITY_VALUE_ROOM = 128 };
 
-struct camera;
-
-void lobe_identity_write(char text[IDENTITY_ROOM], const lobe_scene *scene,
-                         const struct camera *camera, const lobe_render_options *options);
+/* The options are those that count: no f-number, and the distance that is sharp. */
+void lobe_identity_write(char text[IDENTITY_ROOM], const lobe_scene *scene, const lobe_view *view,
+                         const lobe_render_options *options);
 
 /* The value of a key; "none" where the text has no such line. */
 void lobe_identity_value(const char *text, const char *key, char value[IDENTITY_VALUE_ROOM]);

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "framing.h"
 #include "integrator.h"
 
 struct lobe_rays {
@@ -56,7 +57,8 @@ lobe_vec3_f32 lobe_rays_environment(const lobe_rays *rays, lobe_vec3_f32 directi
     return s->has_sky ? lobe_environment_at(&s->sky, direction) : v3_all(0.0f);
 }
 
-lobe_render_result lobe_scene_view(const lobe_scene *scene, const char *camera, lobe_view *view) {
+lobe_render_result lobe_scene_view(const lobe_scene *scene, const char *camera, float aspect,
+                                   lobe_view *view) {
     uint32_t i = 0;
     while (camera && i < scene->camera_count && strcmp(scene->cameras[i].name, camera) != 0) i++;
     if (i == scene->camera_count)
@@ -65,5 +67,6 @@ lobe_render_result lobe_scene_view(const lobe_scene *scene, const char *camera, 
                          scene->name, camera ? camera : "");
     *view = (lobe_view){scene->cameras[i].position, scene->cameras[i].target, scene->cameras[i].up,
                         scene->cameras[i].vertical_degrees};
+    if (scene->is_framed) view->vertical_degrees = lobe_framed_degrees(aspect);
     return LOBE_RENDER_OK;
 }

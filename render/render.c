@@ -8,7 +8,9 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "camera_rays.h"
 #include "crew.h"
+#include "exr_film.h"
 #include "integrator.h"
 #include "ranks.h"
 
@@ -57,8 +59,8 @@ typedef struct job {
     const lobe_render_options *options;
     integrator integrator;
     metal metal;
-    const camera *camera;
-    vec3 eye, forward, right, up; /* right and up reach to the edge of the picture */
+    lobe_view view;
+    camera_rays camera, previous;
     float filter[FILTER_STEPS + 1];
 } job;
 
@@ -92,9 +94,13 @@ static film_sample render_sample(const job *j, int x, int y, sampler points, uin
     sampler_point p = lobe_sampler_next(&points);
     float px = ((float)x + 0.5f + filter_offset(j, p.bits[0])) / (float)o->width * 2.0f - 1.0f;
     float py = 1.0f - ((float)y + 0.5f + filter_offset(j, p.bits[1])) / (float)o->height * 2.0f;
-    vec3 d = v3_add(j->forward, v3_add(v3_scale(j->right, px), v3_scale(j->up, py)));
-    film_sample sample =
-        lobe_trace_path(&j->integrator, j->eye, v3_normalize_or(d, j->forward), &points, rays);
+    vec3 origin, direction;
+    lobe_camera_ray(&j->camera, px, py, sampler_unit(p.bits[2]), sampler_unit(p.bits[3]), &origin,
+                    &direction);
+    film_sample sample = lobe_trace_path(&j->integrator, origin, direction, &points, rays);
+    if (o->aovs & LOBE_AOV_BIT(LOBE_AOV_MOTION))
+        lobe_camera_motion(&j->camera, &j->previous, origin, direction, sample.depth,
+                           sample.motion);
     sample.is_first_half = lobe_film_is_first_half(points.index);
     return sample;
 }
@@ -118,26 +124,45 @@ static void render_tile(const void *user, const unit *u, lobe_film *tile, uint64
         }
 }
 
-static lobe_render_result aim(job *j) {
-    const lobe_render_options *o = j->options;
-    const camera *c = &j->scene->cameras[0];
-    if (o->camera) {
-        uint32_t i = 0;
-        while (i < j->scene->camera_count && strcmp(j->scene->cameras[i].name, o->camera) != 0) i++;
-        if (i == j->scene->camera_count)
-            return lobe_fail(LOBE_RENDER_BAD_INPUT,
-                             "%s: no camera named %s; without a name the first one is taken",
-                             j->scene->name, o->camera);
-        c = &j->scene->cameras[i];
-    }
-    j->camera = c;
-    float height = tanf(0.5f * c->vertical_degrees * (LOBE_PI / 180.0f));
-    j->eye = c->position;
-    j->forward = v3_normalize_or(v3_sub(c->target, c->position), v3(0.0f, 0.0f, -1.0f));
-    vec3 right = v3_normalize_or(v3_cross(j->forward, c->up), v3_across(j->forward));
-    j->right = v3_scale(right, height * (float)o->width / (float)o->height);
-    j->up = v3_scale(v3_cross(right, j->forward), height);
+float lobe_lens_radius(float f_number, float vertical_degrees) {
+    const float half_height = 0.012f; /* metres */
+    return half_height / (2.0f * f_number * tanf(0.5f * vertical_degrees * (LOBE_PI / 180.0f)));
+}
+
+float lobe_scene_focus(const lobe_scene *scene, const lobe_view *view) {
+    const camera_rays c = lobe_camera_rays(view, 1, 1);
+    lobe_ray_surface surface;
+    return lobe_first_surface(scene, c.eye, c.forward, &surface) ? surface.distance : 0.0f;
+}
+
+/* What was asked for, or what follows from the view. */
+static lobe_render_result find_lens(const lobe_scene *scene, const lobe_view *view,
+                                    lobe_render_options *o) {
+    if (o->f_number > 0.0f) o->aperture = lobe_lens_radius(o->f_number, view->vertical_degrees);
+    if (o->aperture > 0.0f && o->focus == 0.0f) o->focus = lobe_scene_focus(scene, view);
+    if (o->aperture > 0.0f && o->focus == 0.0f)
+        return lobe_fail(LOBE_RENDER_BAD_INPUT,
+                         "%s: nothing to focus on in the middle of the picture; give a distance",
+                         scene->name);
     return LOBE_RENDER_OK;
+}
+
+static lobe_render_result find_view(const lobe_scene *scene, lobe_render_options *o,
+                                    lobe_view *view) {
+    lobe_render_result result = LOBE_RENDER_OK;
+    if (o->view)
+        *view = *o->view;
+    else
+        result = lobe_scene_view(scene, o->camera, (float)o->width / (float)o->height, view);
+    return result == LOBE_RENDER_OK ? find_lens(scene, view, o) : result;
+}
+
+static void aim(job *j) {
+    const lobe_render_options *o = j->options;
+    j->camera = lobe_camera_rays(&j->view, o->width, o->height);
+    j->previous =
+        o->previous_view ? lobe_camera_rays(o->previous_view, o->width, o->height) : j->camera;
+    if (o->aperture > 0.0f) lobe_camera_add_lens(&j->camera, o->aperture, o->focus);
 }
 
 const char *lobe_render_method_name(lobe_method method) {
@@ -152,6 +177,18 @@ static lobe_method method_or_best(lobe_model model) {
 static int is_offered(lobe_model model) {
     model.method = method_or_best(model);
     return lobe_model_exists(model);
+}
+
+static int is_view(const lobe_view *v) {
+    return v3_is_finite(v->position) && v3_is_finite(v->target) && v3_is_finite(v->up) &&
+           v->vertical_degrees > 0.0f && v->vertical_degrees < 180.0f;
+}
+
+/* Whose reciprocals are finite too. */
+static int is_lens(const lobe_render_options *o) {
+    return o->aperture >= 0.0f && o->aperture <= 1e15f && o->f_number >= 0.0f &&
+           o->f_number <= 1e15f && (o->f_number == 0.0f || o->f_number >= 1e-3f) &&
+           (o->focus == 0.0f || (o->focus >= 1e-15f && o->focus <= 1e15f));
 }
 
 static lobe_render_result check_options(const lobe_render_options *o) {
@@ -187,8 +224,9 @@ static lobe_render_result check_options(const lobe_render_options *o) {
                          "lobe/render.h");
     if (!is_offered(model) || (unsigned)o->multiscatter > LOBE_MULTISCATTER_WALK ||
         !(o->reflection.floor >= 0.0 && o->reflection.floor <= 1.0) ||
-        (unsigned)o->heuristic >= 4u || !(o->time_limit >= 0.0) || !(o->noise >= 0.0) ||
-        !(o->checkpoint_seconds >= 0.0))
+        (unsigned)o->heuristic >= 4u || (o->view && !is_view(o->view)) ||
+        (o->previous_view && !is_view(o->previous_view)) || !is_lens(o) ||
+        !(o->time_limit >= 0.0) || !(o->noise >= 0.0) || !(o->checkpoint_seconds >= 0.0))
         return lobe_fail(LOBE_RENDER_BAD_INPUT,
                          "options: a value is out of range; see lobe/render.h");
     return LOBE_RENDER_OK;
@@ -242,17 +280,26 @@ static lobe_render_result refuse(const char *path, const char *key, const char *
                      path, key, value, wanted);
 }
 
-static lobe_render_result check_resumed(const lobe_film *film, const lobe_render_options *o,
-                                        const char *identity) {
-    const film_metadata *m = &film->metadata;
+static lobe_render_result check_same(const char *path, const film_metadata *m,
+                                     const lobe_render_options *o, const char *identity) {
     identity_difference d;
     char value[32], wanted[32];
     if (lobe_identity_differs(identity, m->identity, NULL, &d))
-        return refuse(o->resume, d.key, d.other, d.value);
+        return refuse(path, d.key, d.other, d.value);
+    if (lobe_identity_differs(m->identity, identity, NULL, &d)) /* a line too many */
+        return refuse(path, d.key, d.value, d.other);
     snprintf(wanted, sizeof wanted, "%llu", (unsigned long long)o->seed);
     snprintf(value, sizeof value, "%llu", (unsigned long long)m->seeds[0]);
-    if (m->seed_count != 1) return refuse(o->resume, "seed", "more than one", wanted);
-    if (m->seeds[0] != o->seed) return refuse(o->resume, "seed", value, wanted);
+    if (m->seed_count != 1) return refuse(path, "seed", "more than one", wanted);
+    return m->seeds[0] == o->seed ? LOBE_RENDER_OK : refuse(path, "seed", value, wanted);
+}
+
+static lobe_render_result check_resumed(const lobe_film *film, const lobe_render_options *o,
+                                        const char *identity) {
+    const film_metadata *m = &film->metadata;
+    char value[32], wanted[32];
+    const lobe_render_result result = check_same(o->resume, m, o, identity);
+    if (result != LOBE_RENDER_OK) return result;
     snprintf(wanted, sizeof wanted, "%u/%u", o->part, o->parts);
     snprintf(value, sizeof value, "%u/%u", m->part, m->parts);
     if (m->part != o->part || m->parts != o->parts) return refuse(o->resume, "part", value, wanted);
@@ -336,8 +383,8 @@ static lobe_render_result lead(crew *c, lobe_film **film, lobe_render_statistics
 }
 
 static lobe_render_result render_with(const coat_table *const *coats, const lobe_scene *scene,
-                                      const lobe_render_options *options, ray_log *log,
-                                      lobe_film **film, lobe_render_statistics *statistics) {
+                                      lobe_render_options *options, ray_log *log, lobe_film **film,
+                                      lobe_render_statistics *statistics) {
     job j = {.scene = scene, .options = options, .metal = lobe_metal_prepare(&options->metal)};
     crew c = {.options = options,
               .render = render_tile,
@@ -354,10 +401,11 @@ static lobe_render_result render_with(const coat_table *const *coats, const lobe
         (options->aovs & LOBE_AOV_BIT(LOBE_AOV_VNDF_INTEGRAL)) != 0,
         log};
     char identity[IDENTITY_ROOM] = "";
-    lobe_render_result result = aim(&j);
+    lobe_render_result result = find_view(scene, options, &j.view);
     if (result == LOBE_RENDER_OK) {
+        aim(&j);
         make_filter(j.filter);
-        lobe_identity_write(identity, scene, j.camera, options);
+        lobe_identity_write(identity, scene, &j.view, options);
     }
     if (result == LOBE_RENDER_OK && lobe_ranks_own() == 0) result = open_film(&c, &j, identity);
     result = lobe_ranks_agree(result);
@@ -372,16 +420,20 @@ static lobe_render_result render_with(const coat_table *const *coats, const lobe
     return result;
 }
 
+/* The choice by surface is known for Smith-GGX; else the best method is one for all. */
+static void choose_method(lobe_render_options *o) {
+    lobe_model *model = &o->reflection.model;
+    if (model->ndf != LOBE_NDF_GGX || model->masking != LOBE_MASKING_SMITH)
+        model->method = method_or_best(*model);
+}
+
 static lobe_render_result render_and_log(const lobe_scene *scene, lobe_render_options options,
                                          ray_log *log, lobe_film **film,
                                          lobe_render_statistics *statistics) {
     *film = NULL;
     lobe_render_result result = check_options(&options);
     if (result != LOBE_RENDER_OK) return result;
-    lobe_model model = options.reflection.model;
-    /* the choice by surface is known for Smith-GGX; else the best method is one for all */
-    if (model.ndf != LOBE_NDF_GGX || model.masking != LOBE_MASKING_SMITH)
-        options.reflection.model.method = method_or_best(model);
+    choose_method(&options);
     const coat_table **coats = lobe_find_coats(scene, &options.reflection);
     result = lobe_ranks_agree(coats ? LOBE_RENDER_OK : lobe_fail_memory(scene->name));
     if (result == LOBE_RENDER_OK)
@@ -393,6 +445,43 @@ static lobe_render_result render_and_log(const lobe_scene *scene, lobe_render_op
 lobe_render_result lobe_render(const lobe_scene *scene, lobe_render_options options,
                                lobe_film **film, lobe_render_statistics *statistics) {
     return render_and_log(scene, options, NULL, film, statistics);
+}
+
+/* ---- What need not be rendered again --------------------------------------------------------- */
+
+static int has_all_samples(const lobe_film *film, const lobe_render_options *o) {
+    if (film->aovs != o->aovs || film->width != o->width || film->height != o->height) return 0;
+    for (size_t i = 0; i < (size_t)film->width * (size_t)film->height; i++)
+        if (film->pixels[i].samples != (is_in_part(o, i) ? o->samples : 0)) return 0;
+    return 1;
+}
+
+/* What cannot be read as a picture of this program is none that was finished. */
+static lobe_render_result look_at(const lobe_scene *scene, lobe_render_options *o, const char *path,
+                                  float exposure, int *is_finished) {
+    char identity[IDENTITY_ROOM], options[EXR_OPTIONS_ROOM];
+    lobe_view view;
+    lobe_film *film = NULL;
+    lobe_render_result result = check_options(o);
+    if (result == LOBE_RENDER_OK) result = find_view(scene, o, &view);
+    if (result != LOBE_RENDER_OK || lobe_exr_read_film(path, &film) != LOBE_RENDER_OK)
+        return result;
+    choose_method(o);
+    lobe_identity_write(identity, scene, &view, o);
+    lobe_exr_options(options, identity, exposure);
+    result = check_same(path, &film->metadata, o, options);
+    *is_finished = result == LOBE_RENDER_OK && has_all_samples(film, o);
+    lobe_film_free(film);
+    return result;
+}
+
+lobe_render_result lobe_render_find_finished(const lobe_scene *scene, lobe_render_options options,
+                                             const char *path, float exposure, int *is_finished) {
+    *is_finished = 0;
+    lobe_render_result result = LOBE_RENDER_OK;
+    if (lobe_ranks_own() == 0) result = look_at(scene, &options, path, exposure, is_finished);
+    lobe_ranks_broadcast(is_finished, sizeof *is_finished);
+    return lobe_ranks_agree(result);
 }
 
 lobe_render_result lobe_render_logged(const lobe_scene *scene, lobe_render_options options,

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "framing.h"
 #include "inventory.h"
 
 /* Room for one more element of a growing array; 0: no memory. */
@@ -275,31 +276,6 @@ static int find_bounds(lobe_scene *s) {
     return 1;
 }
 
-/* How far from `centre`, in the direction of f->z, a square picture has to be taken to hold the whole box:
- * `slope` is the tangent of half its angle. */
-static float distance_to_hold(const lobe_scene *s, vec3 centre, const frame *f, float slope) {
-    float distance = 0.0f;
-    for (int corner = 0; corner < 8; corner++) {
-        const vec3 p = {corner & 1 ? s->high.x : s->low.x, corner & 2 ? s->high.y : s->low.y,
-                        corner & 4 ? s->high.z : s->low.z};
-        const vec3 local = frame_to_local(f, v3_sub(p, centre));
-        const float aside = fmaxf(fabsf(local.x), fabsf(local.y));
-        distance = fmaxf(distance, local.z + aside / slope);
-    }
-    return distance;
-}
-
-/* Looks at the whole scene from the front, a little from above, with some room around it. */
-static void frame_automatically(lobe_scene *s) {
-    const float degrees = 38.0f, room = 1.08f;
-    const vec3 centre = v3_lerp(s->low, s->high, 0.5f), up = v3(0.0f, 1.0f, 0.0f);
-    const vec3 from = v3_normalize_or(v3(0.45f, 0.35f, 1.0f), v3(0.0f, 0.0f, 1.0f));
-    const frame f = frame_of(from, v3_cross(up, from));
-    const float slope = tanf(0.5f * degrees * (LOBE_PI / 180.0f)) / room;
-    const float distance = fmaxf(distance_to_hold(s, centre, &f, slope), 1e-6f);
-    lobe_scene_add_camera(s, "", v3_add(centre, v3_scale(from, distance)), centre, up, degrees);
-}
-
 static void add_ground(lobe_scene *s) {
     float size = 20.0f * fmaxf(v3_length(v3_sub(s->high, s->low)), 1e-6f), y = s->low.y;
     material grey = lobe_default_material();
@@ -424,7 +400,7 @@ static lobe_render_result finish(lobe_scene *s, const lobe_scene_options *option
     if (!find_bounds(s)) return lobe_fail_memory(s->name);
     warn_of_time(s, options);
     s->info.cameras = is_file ? s->camera_count : 0;
-    if (s->camera_count == 0) frame_automatically(s);
+    if (s->camera_count == 0) lobe_scene_frame_automatically(s);
     if (options->ground && is_file) add_ground(s);
     shrink(s);
     if (!collect_lights(s)) return lobe_fail_memory(s->name);

@@ -107,6 +107,7 @@ struct lobe_scene {
     tracer *tracer;
     vec3 low, high; /* bounds */
     int has_anisotropy;
+    int is_framed;     /* the camera is not of the file */
     int is_animated;   /* the file */
     double frame_time; /* NaN: at rest */
     lobe_scene_info info;

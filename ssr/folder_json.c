@@ -9,6 +9,7 @@
 #include <jansson.h>
 
 #include "folder.h"
+#include "lobe/camera_path.h"
 #include "message.h"
 #include "pipeline.h"
 
@@ -28,62 +29,55 @@ static lobe_ssr_result refuse(const place *p, const char *what) {
                          p->folder->path, p->name, what);
 }
 
-static int read_floats(const json_t *array, float *values, size_t count) {
-    if (!json_is_array(array) || json_array_size(array) != count) return 0;
-    for (size_t i = 0; i < count; i++) {
-        const json_t *number = json_array_get(array, i);
-        if (!json_is_number(number)) return 0;
-        values[i] = (float)json_number_value(number);
-    }
-    return 1;
-}
-
-/* Columns: to the right, up, backward, and the eye, as glTF and Blender have it. */
-static int read_matrix(const json_t *rows, lobe_ssr_camera *c) {
-    float m[4][4];
-    if (!json_is_array(rows) || json_array_size(rows) != 4) return 0;
-    for (size_t i = 0; i < 4; i++)
-        if (!read_floats(json_array_get(rows, i), m[i], 4)) return 0;
-    c->right = (lobe_vec3_f32){m[0][0], m[1][0], m[2][0]};
-    c->up = (lobe_vec3_f32){m[0][1], m[1][1], m[2][1]};
-    c->forward = (lobe_vec3_f32){-m[0][2], -m[1][2], -m[2][2]};
-    c->eye = (lobe_vec3_f32){m[0][3], m[1][3], m[2][3]};
-    return m[3][0] == 0.0f && m[3][1] == 0.0f && m[3][2] == 0.0f && m[3][3] == 1.0f;
-}
-
-static lobe_ssr_result read_camera(const place *p, const json_t *object, lobe_ssr_camera *c) {
-    float tangents[2];
-    const json_t *near_z = json_object_get(object, "near"), *far_z = json_object_get(object, "far");
-    if (!json_is_object(object)) return refuse(p, "no object with to_world, tan, near and far");
-    if (!read_matrix(json_object_get(object, "to_world"), c))
-        return refuse(p, "to_world is not 4 rows of 4 numbers, the last 0, 0, 0, 1");
-    if (!read_floats(json_object_get(object, "tan"), tangents, 2))
-        return refuse(p, "tan is not 2 numbers");
-    if (!json_is_number(near_z) || !json_is_number(far_z))
-        return refuse(p, "near or far is not a number");
-    c->tan_x = tangents[0];
-    c->tan_y = tangents[1];
-    c->near_z = (float)json_number_value(near_z);
-    c->far_z = (float)json_number_value(far_z);
-    if (!lobe_ssr_is_camera(c))
-        return refuse(p, "to_world does not turn and shift alone, or an angle or a plane is out of "
-                         "range");
+/* One that a frame can be reprojected with. */
+static lobe_ssr_result take_camera(const place *p, const lobe_path_camera *from,
+                                   lobe_ssr_camera *c) {
+    *c = (lobe_ssr_camera){
+        .eye = from->view.position,
+        .right = from->right,
+        .up = from->up,
+        .forward = {-from->backward.x, -from->backward.y, -from->backward.z},
+        .tan_x = from->tan_x,
+        .tan_y = from->tan_y,
+        .near_z = from->near_z,
+        .far_z = from->far_z,
+    };
+    if (from->tan_x == 0.0f) return refuse(p, "no to_world and tan");
+    if (!lobe_ssr_is_camera(c)) return refuse(p, "near or far is missing or out of range");
     return LOBE_SSR_OK;
 }
 
+static lobe_ssr_result take_cameras(lobe_ssr_folder *f, const lobe_camera_path *cameras) {
+    place p = {.folder = f};
+    lobe_ssr_result result = LOBE_SSR_OK;
+    for (int i = 0; i < f->count && result == LOBE_SSR_OK; i++) {
+        const lobe_path_frame *frame = lobe_camera_path_get(cameras, i);
+        snprintf(p.name, sizeof p.name, "frames[%d].camera", i);
+        if (!frame) return refuse(&p, "not there any more");
+        result = take_camera(&p, &frame->camera, &f->frames[i].camera);
+        snprintf(p.name, sizeof p.name, "frames[%d].previous_camera", i);
+        if (result == LOBE_SSR_OK)
+            result = take_camera(&p, &frame->previous, &f->frames[i].previous);
+    }
+    return result;
+}
+
+static lobe_ssr_result read_cameras(lobe_ssr_folder *f, const char *file) {
+    lobe_camera_path *cameras;
+    const lobe_render_result read = lobe_camera_path_read(file, &cameras);
+    if (read != LOBE_RENDER_OK)
+        return lobe_ssr_fail(read == LOBE_RENDER_BAD_INPUT ? LOBE_SSR_BAD_INPUT : LOBE_SSR_FAILED,
+                             "%s", lobe_render_error_message());
+    const lobe_ssr_result result = take_cameras(f, cameras);
+    lobe_camera_path_free(cameras);
+    return result;
+}
+
 static lobe_ssr_result read_frame(lobe_ssr_folder *f, size_t i, const json_t *object) {
-    folder_frame *frame = &f->frames[i];
     place p = {.folder = f};
     snprintf(p.name, sizeof p.name, "frames[%zu]", i);
-    frame->file = json_string_value(json_object_get(object, "file"));
-    if (!frame->file) return refuse(&p, "it names no file");
-    snprintf(p.name, sizeof p.name, "frames[%zu].camera", i);
-    lobe_ssr_result result = read_camera(&p, json_object_get(object, "camera"), &frame->camera);
-    if (result != LOBE_SSR_OK) return result;
-    frame->previous = i > 0 ? f->frames[i - 1].camera : frame->camera;
-    const json_t *previous = json_object_get(object, "previous_camera");
-    snprintf(p.name, sizeof p.name, "frames[%zu].previous_camera", i);
-    return previous ? read_camera(&p, previous, &frame->previous) : LOBE_SSR_OK;
+    f->frames[i].file = json_string_value(json_object_get(object, "file"));
+    return f->frames[i].file ? LOBE_SSR_OK : refuse(&p, "it names no file");
 }
 
 /* 0: not a whole number from 1 to `most`. */
@@ -108,7 +102,7 @@ static lobe_ssr_result read_environment(lobe_ssr_folder *f, const json_t *object
     return LOBE_SSR_OK;
 }
 
-static lobe_ssr_result read_all(lobe_ssr_folder *f, const json_t *root) {
+static lobe_ssr_result read_all(lobe_ssr_folder *f, const char *file, const json_t *root) {
     const char *format = json_string_value(json_object_get(root, "format"));
     const json_t *frames = json_object_get(root, "frames");
     place p = {.folder = f, .name = "format"};
@@ -130,6 +124,8 @@ static lobe_ssr_result read_all(lobe_ssr_folder *f, const json_t *root) {
         const lobe_ssr_result result = read_frame(f, i, json_array_get(frames, i));
         if (result != LOBE_SSR_OK) return result;
     }
+    const lobe_ssr_result result = read_cameras(f, file);
+    if (result != LOBE_SSR_OK) return result;
     return read_environment(f, json_object_get(root, "environment"));
 }
 
@@ -150,5 +146,5 @@ lobe_ssr_result lobe_ssr_folder_parse(lobe_ssr_folder *f) {
     if (!root)
         return lobe_ssr_fail(LOBE_SSR_BAD_INPUT, "%s:%d: %.200s; write it again", path, error.line,
                              error.text);
-    return read_all(f, root);
+    return read_all(f, path, root);
 }

@@ -24,8 +24,9 @@ typedef v3 ssr_light(const void *source, v3 direction);
 /* What surrounds a scene, for each roughness: ENVIRONMENT_LEVELS pictures; NULL: no memory. */
 float *lobe_ssr_prefilter(ssr_light *light, const void *source, int threads);
 
-/* Camera of a frame; of a negative one, the first's. */
+/* Camera of a frame, and where the one before was seen from. */
 lobe_ssr_camera lobe_ssr_frame_camera(const lobe_ssr_frames *f, int index);
+lobe_ssr_camera lobe_ssr_previous_camera(const lobe_ssr_frames *f, int index);
 
 /* Runs `row` for all rows in parallel, with progress from `from` to `to`; 0: cancelled. */
 int lobe_ssr_rows(lobe_ssr_frames *f, void (*row)(void *work, int y), void *work, double from,

@@ -28,6 +28,9 @@ static lobe_ssr_result check_options(const lobe_ssr_scene_options *o) {
         !(o->roughness <= 1.0f) || !(o->anisotropy >= -1.0f) || o->threads < 0 || o->threads > 1024)
         return lobe_ssr_fail(LOBE_SSR_BAD_INPUT,
                              "options: a value is out of range; see lobe/ssr_frames.h");
+    if (o->cameras && o->count > lobe_camera_path_count(o->cameras))
+        return lobe_ssr_fail(LOBE_SSR_BAD_INPUT, "frames: the camera path has %d; use fewer",
+                             lobe_camera_path_count(o->cameras));
     return LOBE_SSR_OK;
 }
 
@@ -66,7 +69,10 @@ lobe_ssr_result lobe_ssr_frames_of_scene(const lobe_scene *scene, lobe_ssr_scene
     if (!f) return lobe_ssr_fail_memory("frames");
     f->options = options;
     f->threads = options.threads ? options.threads : omp_get_max_threads();
-    lobe_render_result made = lobe_scene_view(scene, options.camera, &f->view);
+    lobe_render_result made = LOBE_RENDER_OK;
+    if (!options.cameras)
+        made = lobe_scene_view(scene, options.camera, (float)options.width / (float)options.height,
+                               &f->view);
     if (made == LOBE_RENDER_OK) made = lobe_rays_create(scene, &f->rays);
     if (made != LOBE_RENDER_OK) {
         lobe_ssr_frames_free(f);
@@ -203,7 +209,7 @@ lobe_ssr_result lobe_ssr_frames_get(lobe_ssr_frames *f, int index, lobe_ssr_fram
         return lobe_ssr_fail(LOBE_SSR_BAD_INPUT, "frame %d: out of range; use 0 to %d", index,
                              f->options.count - 1);
     f->frame.camera = lobe_ssr_frame_camera(f, index);
-    f->frame.previous_camera = lobe_ssr_frame_camera(f, index - 1);
+    f->frame.previous_camera = lobe_ssr_previous_camera(f, index);
     const float width = (float)f->options.width, height = (float)f->options.height;
     scene_frame s = {f, lobe_ssr_camera_of(&f->frame.camera, width, height),
                      lobe_ssr_camera_of(&f->frame.previous_camera, width, height), index};

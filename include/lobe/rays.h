@@ -42,15 +42,6 @@ LOBE_API lobe_vec3_f32 lobe_rays_light(const lobe_rays *rays, lobe_vec3_f32 orig
 /* The light of the environment from a direction; 0 where a scene has none. */
 LOBE_API lobe_vec3_f32 lobe_rays_environment(const lobe_rays *rays, lobe_vec3_f32 direction);
 
-typedef struct lobe_view {
-    lobe_vec3_f32 position, target, up;
-    float vertical_degrees;
-} lobe_view;
-
-/* A camera of the scene; NULL: its first, else framed. LOBE_RENDER_BAD_INPUT: no such name. */
-LOBE_API lobe_render_result lobe_scene_view(const lobe_scene *scene, const char *camera,
-                                            lobe_view *view);
-
 LOBE_END_C
 
 #endif

@@ -161,6 +161,29 @@ LOBE_API const char *lobe_scene_part_name(lobe_scene_part part);   /* "mesh", �
 /* Names of the cameras that the file brings; an index out of range gives NULL. */
 LOBE_API const char *lobe_scene_camera_name(const lobe_scene *scene, size_t index);
 
+/* Where a picture is seen from. */
+typedef struct lobe_view {
+    lobe_vec3_f32 position, target, up; /* up: not along the view */
+    float vertical_degrees;             /* from the lower edge to the upper one, in (0, 180) */
+} lobe_view;
+
+/* A camera of the scene; NULL: its first. Of a scene without one, the whole of it: in a picture of width/height `aspect`, as
+ * large as fits into a square of its shorter side. LOBE_RENDER_BAD_INPUT: no such name. */
+LOBE_API lobe_render_result lobe_scene_view(const lobe_scene *scene, const char *camera,
+                                            float aspect, lobe_view *view);
+
+/* View `index` of `count` of a turntable: the camera is turned about +Y around the middle of the scene's box, index/count
+ * of a full turn, counter-clockwise from above. View 0 is that of the camera, to the bit; but a scene without one is seen from
+ * farther away than in a single picture, so that every side of it fits. */
+LOBE_API lobe_render_result lobe_scene_orbit(const lobe_scene *scene, const char *camera,
+                                             float aspect, int index, int count, lobe_view *view);
+
+/* How far away is what the middle of the picture shows; 0: nothing is there. */
+LOBE_API float lobe_scene_focus(const lobe_scene *scene, const lobe_view *view);
+
+/* Radius of the lens, in metres, of a camera whose picture is 24 mm high. */
+LOBE_API float lobe_lens_radius(float f_number, float vertical_degrees);
+
 /* ---- Extra channels -------------------------------------------------------------------------- */
 
 /* X(IDENTIFIER, "name", channels, "what it is"), all averaged over the samples of a pixel. */
@@ -170,7 +193,10 @@ LOBE_API const char *lobe_scene_camera_name(const lobe_scene *scene, size_t inde
     X(DEPTH, "depth", 1, "distance from the camera to the first hit; 0 where there is none")       \
     X(REJECTED, "rejected", 1, "share of GGX draws on the pixel's paths that were rejected")       \
     X(VNDF_INTEGRAL, "vndf-integral", 1,                                                           \
-      "integral of the visible normals' density at the first hit (lobe/reflection.h); 1 if none")
+      "integral of the visible normals' density at the first hit (lobe/reflection.h); 1 if none")  \
+    X(MOTION, "motion", 2,                                                                         \
+      "how far the first hit has moved in the picture since the frame before, in widths to the "   \
+      "right and heights down; (2, 0): it was behind the camera")
 
 typedef enum lobe_aov {
 #define LOBE_AOV_ENUMERATOR(ID, name, channels, about) LOBE_AOV_##ID,
@@ -262,6 +288,19 @@ typedef struct lobe_render_options {
     int threads;        /* 0: as many as OpenMP offers; default 0 */
     double time_limit;  /* seconds, then stop with what is finished; 0: none; default 0 */
     const char *camera; /* name of a camera of the file; NULL: its first, else framed */
+
+    /* Where to look from, in place of `camera`; NULL, the default: none. */
+    const lobe_view *view;
+    /* Where the frame before was seen from, for LOBE_AOV_MOTION; NULL, the default: from the same place. */
+    const lobe_view *previous_view;
+    /* Radius of a thin lens, in the scene's unit, at most 1e15; 0, the default: a pinhole, all is sharp. */
+    float aperture;
+    /* Not 0: the aperture is lobe_lens_radius of it, a unit being a metre; 0.001 to 1e15; default 0. */
+    float f_number;
+    /* Where the picture of a lens is sharp: distance of a plane across the view, 1e-15 to 1e15; 0, the default:
+     * lobe_scene_focus of the view, and LOBE_RENDER_BAD_INPUT if nothing is there. */
+    float focus;
+
     lobe_heuristic heuristic; /* default LOBE_HEURISTIC_BALANCE */
     uint32_t aovs;            /* LOBE_AOV_BIT(…) of the extra channels to keep; default 0 */
     lobe_progress_function progress; /* NULL: none */
@@ -309,6 +348,13 @@ typedef struct lobe_render_statistics {
 } lobe_render_statistics;
 
 typedef struct lobe_film lobe_film;
+
+/* Whether `path` is an .exr that can be read whole and holds this picture of `scene` to its last sample, written at that
+ * exposure. Where `noise` or `time_limit` ended it before, it is not: an .exr cannot tell that the end was reached.
+ * LOBE_RENDER_BAD_INPUT: it is a picture of another scene, or of other options. Under mpirun all processes call it. */
+LOBE_API lobe_render_result lobe_render_find_finished(const lobe_scene *scene,
+                                                      lobe_render_options options, const char *path,
+                                                      float exposure, int *is_finished);
 
 /* Render `scene`. *film is to be freed by lobe_film_free after LOBE_RENDER_OK (also when the time
  * limit came first: statistics->pixel_samples tells) and after LOBE_RENDER_INTERRUPTED; otherwise it
@@ -365,6 +411,7 @@ typedef struct lobe_film_write_options {
     float exposure;                    /* stops, for every format; default 0 */
     lobe_film_pixels pixels;           /* .exr only; default half */
     lobe_film_compression compression; /* .exr only; default ZIP */
+    int durable; /* 1: on the disk before it has its name, as what may be all that is left; default 0 */
     int keep_seconds; /* .exr only: 1: write the time as an attribute, no two files are equal then; default 0 */
 } lobe_film_write_options;
 
@@ -379,7 +426,7 @@ LOBE_API int lobe_film_can_write(const char *path);
 
 /* Write the film in the format of the file's ending, beside the final name, and rename it. .exr holds
  * the extra channels as layers ("albedo.R", …, "depth.Z", "rejected.Y",
- * "vndf-integral.Y"), "samples.Y" where not all pixels have the same number, and scene, method, samples,
+ * "vndf-integral.Y", "motion.X"), "samples.Y" where not all pixels have the same number, and scene, method, samples,
  * seed, version and options as attributes; .png is sRGB, 8 bit, dithered. */
 LOBE_API lobe_render_result lobe_film_write(const lobe_film *film, const char *path,
                                             lobe_film_write_options options);

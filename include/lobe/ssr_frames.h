@@ -7,12 +7,13 @@
  *
  * The colour of the frame before is path-traced through the previous camera; of the first frame the previous
  * camera is its own. Near and far plane: a hundredth of, and a thousand times, the distance from the camera to
- * its target. */
+ * its target, where a camera path does not say them. */
 #ifndef LOBE_SSR_FRAMES_H
 #define LOBE_SSR_FRAMES_H
 
 #include <signal.h>
 
+#include "camera_path.h"
 #include "rays.h"
 #include "ssr.h"
 
@@ -33,7 +34,9 @@ typedef struct lobe_ssr_scene_options {
     int width, height;  /* 640 x 360 */
     int count;          /* frames, 1 to 1000000; 8 */
     lobe_ssr_path path; /* ORBIT */
-    uint32_t samples;   /* camera paths a pixel of the colour; 16 */
+    const lobe_camera_path
+        *cameras;     /* in place of path and camera: `count` of them at least; NULL: none */
+    uint32_t samples; /* camera paths a pixel of the colour; 16 */
     float
         roughness; /* of all surfaces in place of their own, perceptual; negative: their own; -1 */
     float anisotropy;   /* the same; above 1: their own; 2 */
@@ -49,7 +52,7 @@ LOBE_API lobe_ssr_scene_options lobe_ssr_scene_default_options(void);
 
 typedef struct lobe_ssr_frames lobe_ssr_frames;
 
-/* The scene must outlive *frames, which is to be freed after LOBE_SSR_OK; otherwise it is NULL. */
+/* The scene and the camera path must outlive *frames, which is to be freed after LOBE_SSR_OK; otherwise it is NULL. */
 LOBE_API lobe_ssr_result lobe_ssr_frames_of_scene(const lobe_scene *scene,
                                                   lobe_ssr_scene_options options,
                                                   lobe_ssr_frames **frames);

@@ -91,6 +91,12 @@ class KillTest(LongTest):
         self.assertIn(b"its triangles is", error)
         error = self.rejected(*command, *SMALL, "--env-rotate", "10", "--env", self.path("a.exr"))
         self.assertIn(b"its environment is", error.stderr)
+        lens = ("--aperture", "0.1", "--focus", "2")
+        error = self.rejected(*command, *SMALL, *lens, where=self.path("c")).stderr
+        self.assertIn(b"its aperture is none, not 0.1", error)
+        self.render("b.exr", "--checkpoint", self.path("l"), *lens)
+        error = self.rejected("render", "--json", "--resume", self.path("l"), *SMALL).stderr
+        self.assertIn(b"its aperture is 0.1", error)
         (self.folder / "foreign").write_text("a letter")
         for name in ("foreign", "a.exr", "nothing", "."):
             self.rejected("render", *SMALL, "--json", "--resume", self.path(name))

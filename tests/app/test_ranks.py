@@ -52,6 +52,22 @@ class RanksTest(FolderTest):
             self.assertEqual(self.bytes_of("a.exr"),
                              self.bytes_of("one.exr"), ranks)
 
+    def test_several_pictures(self):
+        """What is finished is finished for all ranks, and so is what fails."""
+        orbit = [*SMALL[:-1], "motion", "--orbit", "3", "-o"]
+        long = ["--checkpoint", self.path("c"), "--resume", self.path("c")]
+        self.done("render", *orbit, self.path("one.exr"))
+        for lost in ((1, 2, 3), (2,)):
+            for i in lost:
+                Path(self.path(f"a.000{i}.exr")).unlink(missing_ok=True)
+            self.assertEqual(self.together(2, *orbit, self.path("a.exr"), *long).returncode, 0)
+            for i in (1, 2, 3):
+                self.assertEqual(self.bytes_of(f"a.000{i}.exr"), self.bytes_of(f"one.000{i}.exr"))
+        Path(self.path("b.0002.exr")).mkdir()
+        result = self.together(2, *orbit, self.path("b.exr"))
+        self.assertEqual(result.returncode, 1)
+        self.assertIn(b"b.0002.exr: cannot be written", result.stderr)
+
     def test_noise_ends_all(self):
         scene = ["gallery", "--size", "70x40", "--spp", "4096", "--noise", "0.12"]
         self.done("render", *scene, "-o", self.path("one.exr"))

@@ -29,6 +29,8 @@ BAD_VALUES = {
     "--threads": ["0", "1025", "-2"],
     "--exposure": ["nan", "1000", "up"],
     "--env-rotate": ["nan", "1e9", ""],
+    "--aperture": ["", "-1", "nan", "f/0", "f/", "f/-2", "f2", "1,2", "wide", "1e16"],
+    "--focus": ["", "0", "-1", "nan", "inf", "near", "1e16"],
     "--frame-time": ["nan", "", "now"],
     "--animation": ["", "Walk"],
     "--aov": ["", "albedo,", "colour", ",normal", "a" * 100],
@@ -97,6 +99,9 @@ class PictureTest(RenderTest):
                                ("gallery", "--method", "ndf"), ("gallery", "--spp", "3"),
                                ("gallery", "--heuristic", "power"), ("gallery", "--env", panorama),
                                ("gallery", "--exposure", "0.5"),
+                               ("gallery", "--aperture", "0.1"),
+                               ("gallery", "--aperture", "f/0.05"),
+                               ("gallery", "--aperture", "0.1", "--focus", "5"),
                                ("gallery", "--multiscatter", "kulla-conty"),
                                ("gallery", "--multiscatter", "turquin"),
                                ("gallery", "--multiscatter", "walk"),
@@ -234,6 +239,7 @@ class ErrorTest(RenderTest):
                       where="--aov")
         self.rejected("render", "gallery", *SMALL, "--json", "--aov", "depth", where="--aov")
         self.rejected("render", "gallery", *SMALL, "--json", "--camera", "none")
+        self.rejected("render", "gallery", *SMALL, "--json", "--focus", "2", where="--focus")
         self.rejected("render", "gallery", *SMALL, "--json", "--multiscatter", "walk", "--g2",
                       "separable")
         self.assertEqual(os.listdir(self.folder), [])

@@ -39,6 +39,11 @@ BAD_VALUES = {
 }
 
 
+def numbers_of(value):
+    """All of them, in order."""
+    return [x for part in value for x in numbers_of(part)] if isinstance(value, list) else [value]
+
+
 class SsrTest(ProgramTest):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -181,6 +186,33 @@ class SsrTest(ProgramTest):
                       where="--frames")
         (self.folder / "gbuffer/gbuffer-0001.exr").unlink()
         self.rejected("ssr", folder, "-o", str(self.folder / "again"))
+
+    def test_a_path_of_cameras(self):
+        """The cameras that were written are a path to the same frames; those of the past count too."""
+        folder = str(self.folder / "gbuffer")
+        self.ssr(*ROUGH, "--write-gbuffer", folder)
+        path = self.folder / "gbuffer/gbuffer.json"
+        again = str(self.folder / "again gbuffer")
+        stats = json.loads(self.done("ssr", "gallery", "-o", str(self.folder / "b"), *SMALL[:4], *ROUGH,
+                                     "--camera-path", str(path), "--write-gbuffer", again, "--json"))
+        self.assertEqual(len(stats["frames"]), 2)
+        first, second = json.loads(path.read_text()), json.loads(Path(again, "gbuffer.json").read_text())
+        for a, b in zip(first["frames"], second["frames"]):
+            for name in ("camera", "previous_camera"):
+                for key in ("tan", "near", "far"):
+                    for x, y in zip(*(numbers_of(c[name][key]) for c in (a, b))):
+                        self.assertAlmostEqual(x, y, delta=1e-5 * abs(x))
+                for x, y in zip(*(numbers_of(c[name]["to_world"]) for c in (a, b))):
+                    self.assertAlmostEqual(x, y, 5)
+        stats = json.loads(self.done("ssr", "gallery", "-o", str(self.folder / "b"), *SMALL[:4], *ROUGH,
+                                     "--camera-path", str(path), "--frames", "1", "--json"))
+        self.assertEqual(len(stats["frames"]), 1)
+        options = ["ssr", "gallery", "-o", str(self.folder / "c"), *ROUGH, "--camera-path", str(path)]
+        self.rejected(*options, "--frames", "3", where="--frames")
+        self.rejected(*options, "--camera", "x", where="--camera-path")
+        self.rejected(*options, "--size", "48x48", where=str(path))
+        path.write_text("{}")
+        self.rejected(*options, where=str(path))
 
     def test_a_folder_of_something_else(self):
         self.rejected("ssr", str(self.folder), "-o", str(self.folder / "out"))

@@ -102,6 +102,49 @@ static void motion_leads_to_where_a_surface_was(void **state) {
     lobe_scene_free(scene);
 }
 
+static lobe_view view_of(const lobe_ssr_camera *c) {
+    const lobe_vec3_f32 e = c->eye, f = c->forward;
+    return (lobe_view){e,
+                       {e.x + 8.0f * f.x, e.y + 8.0f * f.y, e.z + 8.0f * f.z},
+                       c->up,
+                       2.0f * atanf(c->tan_y) * 57.2957795f};
+}
+
+/* `lobe render --aov motion` means the same. Its pixels are means over three, so edges differ. */
+static void motion_is_that_of_a_render(void **state) {
+    (void)state;
+    lobe_scene *scene = load("cornell");
+    lobe_ssr_frames *frames = frames_of(scene, -1.0f, LOBE_SSR_PATH_ORBIT);
+    lobe_ssr_frame f;
+    assert_int_equal(lobe_ssr_frames_get(frames, 2, &f), LOBE_SSR_OK);
+    const lobe_view now = view_of(&f.camera), before = view_of(&f.previous_camera);
+    lobe_render_options o = lobe_render_default_options();
+    o.width = WIDTH;
+    o.height = HEIGHT;
+    o.samples = 16;
+    o.depth = 0;
+    o.view = &now;
+    o.previous_view = &before;
+    o.aovs = LOBE_AOV_BIT(LOBE_AOV_MOTION);
+    lobe_film *film = NULL;
+    assert_int_equal(lobe_render(scene, o, &film, NULL), LOBE_RENDER_OK);
+    float *motion = malloc(2 * PIXELS * sizeof *motion);
+    assert_non_null(motion);
+    assert_true(lobe_film_copy_aov(film, LOBE_AOV_MOTION, motion));
+    int same = 0, moved = 0;
+    for (int i = 0; i < PIXELS; i++) {
+        const float right = (motion[2 * i] - f.motion[2 * i]) * WIDTH;
+        const float down = (motion[2 * i + 1] - f.motion[2 * i + 1]) * HEIGHT;
+        same += hypotf(right, down) < 0.05f;
+        moved += hypotf(f.motion[2 * i] * WIDTH, f.motion[2 * i + 1] * HEIGHT) > 0.2f;
+    }
+    if (!(same > 0.9 * PIXELS && moved > 0.5 * PIXELS)) fail_msg("%d same, %d moved", same, moved);
+    free(motion);
+    lobe_film_free(film);
+    lobe_ssr_frames_free(frames);
+    lobe_scene_free(scene);
+}
+
 static lobe_ssr_options options_of(lobe_ssr_mode mode) {
     lobe_ssr_options o = lobe_ssr_default_options();
     o.mode = mode;
@@ -224,6 +267,7 @@ static void bad_requests_are_refused(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(depth_and_normals_are_those_of_a_render),
                                        cmocka_unit_test(motion_leads_to_where_a_surface_was),
+                                       cmocka_unit_test(motion_is_that_of_a_render),
                                        cmocka_unit_test(truth_is_white_in_a_furnace),
                                        cmocka_unit_test(mirrors_of_a_room_hold_against_real_rays),
                                        cmocka_unit_test(a_picture_comes_back_from_its_file),
