@@ -8,8 +8,8 @@ clearcoat lobe_clearcoat_at(const lobe_reflection_options *ggx, const coat_table
     clearcoat c = {.frame = shading, .geometric = geometric, .share = share};
     const lobe_vec3_f32 wi = frame_to_local(&shading, to_viewer);
     const float alpha = roughness * roughness;
-    c.ggx = lobe_reflection_prepare_above_f32(*ggx, wi, alpha, alpha,
-                                              frame_to_local(&shading, geometric));
+    lobe_reflection_prepare_at_f32(&c.ggx, ggx, wi, alpha, alpha,
+                                   frame_to_local(&shading, geometric));
     const coat at = lobe_coat_at(table, &c.ggx);
     const float reflects = share * lobe_coat_albedo(&at, wi);
     c.keeps = 1.0f - reflects;

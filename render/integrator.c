@@ -27,7 +27,7 @@ typedef struct path {
     float spread; /* by which refraction has shrunk radiance so far: what returns on leaving */
     const material *inside; /* the solid in which the path is; NULL: none. They do not nest */
     int is_camera;          /* no surface yet: light is taken as it is */
-    film_sample sample;
+    film_sample *sample;
     uint64_t rays;
 } path;
 
@@ -109,30 +109,30 @@ static vec3 emission_at(const lobe_scene *s, const hit_point *h) {
     return v3_mul(m->emission, sample_map(s, &m->emission_map, h, v3_all(1.0f)));
 }
 
-static hit_point hit_point_of(const lobe_scene *s, const ray_hit *hit, vec3 direction) {
+/* Written member by member, where it stays: a copy of what has just been written waits for it. */
+static void find_hit_point(const lobe_scene *s, const ray_hit *hit, vec3 direction, hit_point *h) {
     const hit_geometry g = hit_geometry_of(s, hit);
     const triangle *t = g.triangle;
     const vertex *a = &s->vertices[t->vertex[0]], *b = &s->vertices[t->vertex[1]],
                  *c = &s->vertices[t->vertex[2]];
-    float u = hit->u, v = hit->v, w = 1.0f - u - v;
-    hit_point h = {.distance = hit->distance,
-                   .position = g.position,
-                   .triangle = t,
-                   .material = &s->materials[t->material]};
-    h.u[0] = w * a->u + u * b->u + v * c->u;
-    h.v[0] = w * a->v + u * b->v + v * c->v;
-    h.u[1] = w * a->u1 + u * b->u1 + v * c->u1;
-    h.v[1] = w * a->v1 + u * b->v1 + v * c->v1;
-    h.darkening = darkening_at(a, b, c, u, v);
+    const float u = hit->u, v = hit->v, w = 1.0f - u - v;
+    h->distance = hit->distance;
+    h->position = g.position;
+    h->triangle = t;
+    h->material = &s->materials[t->material];
+    h->u[0] = w * a->u + u * b->u + v * c->u;
+    h->v[0] = w * a->v + u * b->v + v * c->v;
+    h->u[1] = w * a->u1 + u * b->u1 + v * c->u1;
+    h->v[1] = w * a->v1 + u * b->v1 + v * c->v1;
+    h->darkening = darkening_at(a, b, c, u, v);
     /* surfaces are two-sided: both normals turn with the side that is seen */
-    float side = v3_dot(g.face, direction) > 0.0f ? -1.0f : 1.0f;
-    h.geometric = v3_scale(g.face, side);
-    h.handedness = g.handedness;
-    h.turn = side * g.handedness;
-    h.is_back = side < 0.0f;
-    add_frames(s, &h, v3_normalize_or(g.normal, g.face), g.tangent);
-    h.emission = emission_at(s, &h);
-    return h;
+    const float side = v3_dot(g.face, direction) > 0.0f ? -1.0f : 1.0f;
+    h->geometric = v3_scale(g.face, side);
+    h->handedness = g.handedness;
+    h->turn = side * g.handedness;
+    h->is_back = side < 0.0f;
+    add_frames(s, h, v3_normalize_or(g.normal, g.face), g.tangent);
+    h->emission = emission_at(s, h);
 }
 
 /* KHR_materials_anisotropy, in the terms of lobe_surface_at: alpha grows toward 1 along a direction of
@@ -263,7 +263,7 @@ static void add_met_light(path *p, vec3 radiance, float light_pdf) {
     if (!p->is_camera && isfinite(p->pdf) && light_pdf > 0.0f)
         share = weigh(p->k->heuristic, p->pdf, light_pdf, 0);
     vec3 light = v3_mul(p->throughput, v3_scale(radiance, share));
-    p->sample.radiance = v3_add(p->sample.radiance, light);
+    p->sample->radiance = v3_add(p->sample->radiance, light);
 }
 
 static void add_sky(path *p) {
@@ -419,7 +419,7 @@ static void add_drawn_light(path *p, const hit_point *h, const surface *surface,
     if (!(share > 0.0f)) return;
     vec3 light = v3_mul(p->throughput, v3_mul(value, l.radiance));
     light = absorbed(inside_after(p, h, is_through), light, l.distance);
-    p->sample.radiance = v3_add(p->sample.radiance, v3_scale(light, share / l.pdf));
+    p->sample->radiance = v3_add(p->sample->radiance, v3_scale(light, share / l.pdf));
 }
 
 /* The random numbers of a light, ahead of their use: what they choose is far away in memory. */
@@ -431,11 +431,11 @@ static sampler_point begin_light(path *p) {
 }
 
 static void keep_first_hit(path *p, const hit_point *h, const surface *surface) {
-    p->sample.albedo = surface->base_color;
-    p->sample.normal = h->shading.z;
-    p->sample.depth = h->distance;
+    p->sample->albedo = surface->base_color;
+    p->sample->normal = h->shading.z;
+    p->sample->depth = h->distance;
     if (p->k->keeps_vndf_integral && !surface->is_matte)
-        p->sample.vndf_integral = lobe_reflection_vndf_integral_f32(&surface->ggx);
+        p->sample->vndf_integral = lobe_reflection_vndf_integral_f32(&surface->ggx);
 }
 
 static void go_on(path *p, const hit_point *h, const surface *surface, vec3 direction) {
@@ -458,8 +458,8 @@ static int scatter(path *p, const hit_point *h, const surface *surface, int scat
     surface_draw d =
         lobe_surface_draw(surface, sampler_unit(point.bits[0]), sampler_unit(point.bits[1]),
                           sampler_unit(point.bits[2]), side);
-    p->sample.draws += (uint32_t)d.is_ggx;
-    p->sample.rejected += d.is_ggx && !(d.pdf > 0.0f);
+    p->sample->draws += (uint32_t)d.is_ggx;
+    p->sample->rejected += d.is_ggx && !(d.pdf > 0.0f);
     if (!(d.pdf > 0.0f)) return 0;
     p->throughput = v3_mul(p->throughput, d.weight);
     p->pdf = d.is_mirror ? INFINITY : d.pdf;
@@ -488,6 +488,7 @@ static int meet_surface(path *p, ray_hit *hit) {
 
 film_sample lobe_trace_path(const integrator *k, vec3 origin, vec3 direction, sampler *points,
                             uint64_t *rays) {
+    film_sample sample = {.vndf_integral = 1.0f};
     path p = {.k = k,
               .points = points,
               .origin = origin,
@@ -496,7 +497,7 @@ film_sample lobe_trace_path(const integrator *k, vec3 origin, vec3 direction, sa
               .throughput = v3_all(1.0f),
               .spread = 1.0f,
               .is_camera = 1,
-              .sample.vndf_integral = 1.0f};
+              .sample = &sample};
     surface s;
     layers room;
     for (int scatterings = 0;; scatterings++) {
@@ -506,7 +507,8 @@ film_sample lobe_trace_path(const integrator *k, vec3 origin, vec3 direction, sa
             break;
         }
         const sampler_point light = begin_light(&p);
-        hit_point h = hit_point_of(k->scene, &hit, p.direction);
+        hit_point h;
+        find_hit_point(k->scene, &hit, p.direction, &h);
         /* a camera inside */
         if (!p.inside && h.is_back && is_solid(h.material)) p.inside = h.material;
         if (p.inside)
@@ -519,7 +521,7 @@ film_sample lobe_trace_path(const integrator *k, vec3 origin, vec3 direction, sa
         if (!scatter(&p, &h, &s, scatterings + 1)) break;
     }
     *rays += p.rays;
-    return p.sample;
+    return sample;
 }
 
 int lobe_first_surface(const lobe_scene *s, vec3 origin, vec3 direction,
@@ -530,7 +532,8 @@ int lobe_first_surface(const lobe_scene *s, vec3 origin, vec3 direction,
         if (!lobe_tracer_nearest(s->tracer, origin, direction, near, INFINITY, &hit)) return 0;
         near = past(hit.distance);
     } while (opacity_at(s, &hit) < 0.5f);
-    const hit_point h = hit_point_of(s, &hit, direction);
+    hit_point h;
+    find_hit_point(s, &hit, direction, &h);
     const material *m = h.material;
     const vec3 packed = sample_map(s, &m->surface_map, &h, v3_all(1.0f));
     const float metallic = m->metallic * packed.z, step = (m->ior - 1.0f) / (m->ior + 1.0f);

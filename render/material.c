@@ -126,8 +126,8 @@ void lobe_surface_make(surface *s, const surface_options *options, frame shading
     const vec3 plane = frame_to_local(&shading, geometric);
     lobe_reflection_options ggx = options->ggx;
     ggx.model.method = method_of(ggx.model.method, metallic, alpha, plane.z);
-    s->ggx = lobe_reflection_prepare_above_f32(ggx, wi, alpha * (1.0f + anisotropy),
-                                               alpha * (1.0f - anisotropy), plane);
+    lobe_reflection_prepare_at_f32(&s->ggx, &ggx, wi, alpha * (1.0f + anisotropy),
+                                   alpha * (1.0f - anisotropy), plane);
     const float rest = compensate(s, options->multiscatter, &options->ggx);
     s->specular = rest > 0.0f ? specular_probability(s, 0.0f, rest) : 1.0f;
     if (metallic >= 1.0f) return;

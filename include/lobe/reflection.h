@@ -186,6 +186,17 @@ LOBE_API lobe_reflection_f64 lobe_reflection_prepare_above_f64(lobe_reflection_o
                                                                double alpha_y,
                                                                lobe_vec3_f64 geometric_normal);
 
+/* The same, written where the model stays: a model is more than 500 bytes, and a renderer that prepares one at
+ * every hit need not copy them. */
+LOBE_API void lobe_reflection_prepare_at_f32(lobe_reflection_f32 *model,
+                                             const lobe_reflection_options *options,
+                                             lobe_vec3_f32 wi, float alpha_x, float alpha_y,
+                                             lobe_vec3_f32 geometric_normal);
+LOBE_API void lobe_reflection_prepare_at_f64(lobe_reflection_f64 *model,
+                                             const lobe_reflection_options *options,
+                                             lobe_vec3_f64 wi, double alpha_x, double alpha_y,
+                                             lobe_vec3_f64 geometric_normal);
+
 /* Draw wo. u3 is read by `horizon-mirror` and V-cavities only, and must be random there. */
 LOBE_API lobe_reflection_draw_f32 lobe_reflection_sample_f32(const lobe_reflection_f32 *model,
                                                              float u1, float u2, float u3);
