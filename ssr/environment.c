@@ -8,8 +8,7 @@ static v3 texel_at(const lobe_ssr_environment *e, int level, int x, int y) {
     return ssr_usable_light(ssr_v3(e->rgb + 3 * (texel + (size_t)x)));
 }
 
-static v3 level_at(const lobe_ssr_environment *e, int level, v3 direction) {
-    const ssr_between b = ssr_environment_place(direction, e->width, e->height);
+static v3 level_at(const lobe_ssr_environment *e, int level, ssr_between b) {
     v3 sum = v3_of(0.0f, 0.0f, 0.0f);
     for (int k = 0; k < 4; k++)
         sum = ssr_add_share(sum, texel_at(e, level, ssr_corner_x(b, k), ssr_corner_y(b, k)),
@@ -19,10 +18,11 @@ static v3 level_at(const lobe_ssr_environment *e, int level, v3 direction) {
 
 v3 lobe_ssr_environment_at(const lobe_ssr_environment *e, v3 direction, float roughness) {
     if (!e->rgb) return v3_of(0.0f, 0.0f, 0.0f);
+    const ssr_between b = ssr_environment_place(direction, e->width, e->height);
     const float level = ssr_rough_level(roughness, e->levels);
     v3 sum = v3_of(0.0f, 0.0f, 0.0f);
     for (int k = 0; k < 2; k++)
-        sum = ssr_add_share(sum, level_at(e, ssr_level_at(level, k, e->levels), direction),
+        sum = ssr_add_share(sum, level_at(e, ssr_level_at(level, k, e->levels), b),
                             ssr_level_share(level, k));
     return sum;
 }
