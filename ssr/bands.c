@@ -3,16 +3,25 @@
 
 #include "lobe/batch.h"
 
+typedef void band_pass(const ssr_band *b);
+
 typedef struct band_passes {
     const char *isa;
     void (*trace)(const ssr_band *b, ssr_counts *counts);
-    void (*resolve)(const ssr_band *b);
+    band_pass *reproject, *resolve, *accumulate, *keep_z, *composite;
 } band_passes;
 
 /* Those of the set in use; the plainest for a set that has none of its own. */
 static const band_passes *passes_in_use(void) {
     static const band_passes all[] = {
-#define SSR_PASSES(set, name) {name, lobe_ssr_trace_##set, lobe_ssr_resolve_##set},
+#define SSR_PASSES(set, name)                                                                      \
+    {name,                                                                                         \
+     lobe_ssr_trace_##set,                                                                         \
+     lobe_ssr_reproject_##set,                                                                     \
+     lobe_ssr_resolve_##set,                                                                       \
+     lobe_ssr_accumulate_##set,                                                                    \
+     lobe_ssr_keep_z_##set,                                                                        \
+     lobe_ssr_composite_##set},
         SSR_SETS(SSR_PASSES)
 #undef SSR_PASSES
     };
@@ -50,14 +59,30 @@ void lobe_ssr_pass_trace(lobe_ssr *s, const lobe_ssr_frame *f, lobe_ssr_statisti
     statistics->steps = steps;
 }
 
-static void run_bands(lobe_ssr *s, const lobe_ssr_frame *f, void (*run)(const ssr_band *b)) {
+static void run_bands(lobe_ssr *s, const lobe_ssr_frame *f, band_pass *pass) {
 #pragma omp parallel for schedule(dynamic, 1) num_threads(s->threads)
     for (int y = 0; y < s->height; y += BAND_ROWS) {
         const ssr_band band = band_at(s, f, y);
-        run(&band);
+        pass(&band);
     }
+}
+
+void lobe_ssr_pass_reproject(lobe_ssr *s, const lobe_ssr_frame *f) {
+    run_bands(s, f, passes_in_use()->reproject);
 }
 
 void lobe_ssr_pass_resolve(lobe_ssr *s, const lobe_ssr_frame *f) {
     run_bands(s, f, passes_in_use()->resolve);
+}
+
+void lobe_ssr_pass_accumulate(lobe_ssr *s, const lobe_ssr_frame *f) {
+    float *swapped = s->history; /* what was the reflection is history now */
+    s->history = s->reflection;
+    s->reflection = swapped;
+    run_bands(s, f, passes_in_use()->accumulate);
+    run_bands(s, f, passes_in_use()->keep_z);
+}
+
+void lobe_ssr_pass_composite(lobe_ssr *s, const lobe_ssr_frame *f) {
+    run_bands(s, f, passes_in_use()->composite);
 }

@@ -19,8 +19,7 @@ typedef struct ssr_band {
 
 /* The sets: X(end of the symbols, name of lobe_isa) */
 #if defined(LOBE_SSR_X86)
-#define SSR_SETS(X)                                                                                \
-    X(scalar, "scalar") X(sse41, "sse4.1") X(avx2, "avx2") X(avx512, "avx512")
+#define SSR_SETS(X) X(scalar, "scalar") X(sse41, "sse4.1") X(avx2, "avx2") X(avx512, "avx512")
 #elif defined(LOBE_SSR_NEON)
 #define SSR_SETS(X) X(scalar, "scalar") X(neon, "neon")
 #else
@@ -28,8 +27,12 @@ typedef struct ssr_band {
 #endif
 
 #define SSR_DECLARE_BANDS(set, name)                                                               \
-    void lobe_ssr_trace_##set(const ssr_band *b, ssr_counts *counts);                                     \
-    void lobe_ssr_resolve_##set(const ssr_band *b);
+    void lobe_ssr_trace_##set(const ssr_band *b, ssr_counts *counts);                              \
+    void lobe_ssr_reproject_##set(const ssr_band *b);                                              \
+    void lobe_ssr_resolve_##set(const ssr_band *b);                                                \
+    void lobe_ssr_accumulate_##set(const ssr_band *b);                                             \
+    void lobe_ssr_keep_z_##set(const ssr_band *b);                                                 \
+    void lobe_ssr_composite_##set(const ssr_band *b);
 SSR_SETS(SSR_DECLARE_BANDS)
 #undef SSR_DECLARE_BANDS
 

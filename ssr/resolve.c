@@ -117,10 +117,9 @@ K_FN void add_rays(around *a, int n, const row *r, int first, bool is_own, bool 
         const ssr_resolved p = resolved_in(a, i);
         const int k = first + i;
         const v3 direction = v3_of(r->x[k], r->y[k], r->z[k]);
-        const float weight =
-            way == AS_HDRP
-                ? ssr_hdrp_weight(p, r->state[k], direction)
-                : ssr_ray_weight(p, r->state[k], direction, r->pdf[k], is_own, mirrors, way);
+        const float weight = way == AS_HDRP ? ssr_hdrp_weight(p, r->state[k], direction)
+                                            : ssr_ray_weight(p, r->state[k], direction, r->pdf[k],
+                                                             is_own, mirrors, way);
         put_sum(a, i, ssr_add_ray(sum_in(a, i), found_in(r, k), weight));
     }
 }

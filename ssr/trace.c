@@ -127,9 +127,9 @@ static void step_all(const march *shared, pool *p) {
         const kint cell = shared->start[m.level] + inside_y * (last_x + 1) + inside_x;
         const float nearest = s.cells[cell].nearest;
         /* without the farthest depth nothing is known of what lies behind */
-        const float farthest = k_select(k_and(s.as_hdrp != 0, m.level > 0), 0.0f, s.cells[cell].farthest);
-        const ssr_march next =
-            ssr_march_step(r, m, s.slab, x, y, nearest, farthest, s.highest);
+        const float farthest =
+            k_select(k_and(s.as_hdrp != 0, m.level > 0), 0.0f, s.cells[cell].farthest);
+        const ssr_march next = ssr_march_step(r, m, s.slab, x, y, nearest, farthest, s.highest);
         p->f[AT][i] = k_select(goes, next.q, m.q);
         p->n[LEVEL][i] = ssr_pick(goes, next.level, m.level);
         p->n[BELOW][i] = ssr_pick(goes, next.below, m.below);
