@@ -36,17 +36,21 @@ K_FN void put_v3(v3_block *b, int i, v3 v) {
     b->z[i] = v.z;
 }
 
-/* Pixel `pixel`, which lies at (x, y), becomes element i. */
-static inline void put_pixel(surfaces *s, int i, const lobe_ssr_frame *f, size_t pixel, int x,
-                             int y) {
-    s->px[i] = (float)x + 0.5f;
-    s->py[i] = (float)y + 0.5f;
-    s->z[i] = f->z[pixel];
-    s->roughness[i] = f->roughness[pixel];
-    put_v3(&s->normal, i, ssr_v3(f->normal + 3 * pixel));
+static inline void read_v3(v3_block *b, const float *values, int n) {
+    for (int i = 0; i < n; i++) put_v3(b, i, ssr_v3(values + 3 * i));
+}
+
+/* n pixels of a row, from pixel (x, y) on. */
+static inline void read_surfaces(surfaces *s, const lobe_ssr_frame *f, size_t pixel, int x, int y,
+                                 int n) {
+    for (int i = 0; i < n; i++) s->px[i] = (float)(x + i) + 0.5f;
+    for (int i = 0; i < n; i++) s->py[i] = (float)y + 0.5f;
+    memcpy(s->z, f->z + pixel, (size_t)n * sizeof *s->z);
+    memcpy(s->roughness, f->roughness + pixel, (size_t)n * sizeof *s->roughness);
+    read_v3(&s->normal, f->normal + 3 * pixel, n);
     if (!f->anisotropy || !f->tangent) return;
-    s->anisotropy[i] = f->anisotropy[pixel];
-    put_v3(&s->tangent, i, ssr_v3(f->tangent + 3 * pixel));
+    memcpy(s->anisotropy, f->anisotropy + pixel, (size_t)n * sizeof *s->anisotropy);
+    read_v3(&s->tangent, f->tangent + 3 * pixel, n);
 }
 
 K_FN ssr_surface surface_in(const surfaces *s, int i) {

@@ -9,12 +9,16 @@ typedef struct composed {
     float opacity[BLOCK];
 } composed;
 
-static void read_pixel(composed *p, int i, const ssr_band *b, size_t pixel, int x, int y) {
-    put_pixel(&p->at, i, b->f, pixel, x, y);
+static void read_reflections(composed *p, const ssr_band *b, size_t pixel, int n) {
     const float *reflection = b->s->reflection + 4 * pixel;
-    put_v3(&p->color, i, ssr_v3(reflection));
-    p->opacity[i] = reflection[3];
-    put_v3(&p->f0, i, b->f->f0 ? ssr_v3(b->f->f0 + 3 * pixel) : v3_of(1.0f, 1.0f, 1.0f));
+    for (int i = 0; i < n; i++) {
+        put_v3(&p->color, i, ssr_v3(reflection + 4 * i));
+        p->opacity[i] = reflection[4 * i + 3];
+    }
+    if (b->f->f0)
+        read_v3(&p->f0, b->f->f0 + 3 * pixel, n);
+    else
+        for (int i = 0; i < n; i++) put_v3(&p->f0, i, v3_of(1.0f, 1.0f, 1.0f));
 }
 
 /* What the environment adds, into `radiance`. */
@@ -59,7 +63,8 @@ static void write_v3(float *out, const v3_block *b, int n) {
 static void compose_block(const ssr_band *b, const ssr_camera *c, composed *p, int x, int y,
                           int n) {
     const size_t pixel = (size_t)y * (size_t)b->s->width + (size_t)x;
-    for (int i = 0; i < n; i++) read_pixel(p, i, b, pixel + (size_t)i, x + i, y);
+    read_surfaces(&p->at, b->f, pixel, x, y, n);
+    read_reflections(p, b, pixel, n);
     const int whole = whole_vectors(n);
     make_surfaces(&p->at, whole, c, b->f);
     for (int i = 0; b->f->mask && i < n; i++)

@@ -197,7 +197,7 @@ static void resolve_block(const ssr_band *b, const ssr_camera *c, around *a, int
         memset(out, 0, 4 * (size_t)n * sizeof *out);
         return;
     }
-    for (int i = 0; i < n; i++) put_pixel(&a->at, i, b->f, pixel + (size_t)i, x + i, y);
+    read_surfaces(&a->at, b->f, pixel, x, y, n);
     const int whole = whole_vectors(n);
     make_surfaces(&a->at, whole, c, b->f);
     add_all(a, y, whole, &b->s->options);

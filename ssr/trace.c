@@ -26,7 +26,8 @@ enum {
     FLOATS
 };
 
-enum { LEVEL, BELOW, STATE, STEPS, CELL_X, CELL_Y, VALID, PIXEL, INTEGERS };
+/* START: of the level, in cells; CELL: what the last step looked at */
+enum { LEVEL, START, BELOW, STATE, STEPS, CELL_X, CELL_Y, VALID, PIXEL, INTEGERS };
 
 typedef struct pool {
     int count;
@@ -37,8 +38,7 @@ typedef struct pool {
 /* What all rays of a frame share. */
 typedef struct march {
     const ssr_cell *cells;
-    int start[SSR_LEVELS_MAX]; /* of the levels, in cells */
-    int last_x, last_y;        /* of the finest level */
+    int last_x, last_y; /* of the finest level */
     int highest, most_steps, as_hdrp;
     float push;
     ssr_slab slab;
@@ -82,7 +82,7 @@ K_FN void put_ray(pool *p, int i, ssr_ray r, ssr_march m) {
     p->n[LEVEL][i] = m.level;
     p->n[BELOW][i] = m.below;
     p->n[STATE][i] = m.state;
-    p->n[STEPS][i] = p->n[CELL_X][i] = p->n[CELL_Y][i] = 0;
+    p->n[START][i] = p->n[STEPS][i] = p->n[CELL_X][i] = p->n[CELL_Y][i] = 0;
     p->n[VALID][i] = r.valid;
 }
 
@@ -98,17 +98,26 @@ static void remove_ray(pool *p, int i) {
 static march march_of(const ssr_band *b, const ssr_camera *c) {
     const pyramid *p = &b->s->pyramid;
     const lobe_ssr_options *o = &b->s->options;
-    march m = {.cells = p->depth[0],
-               .last_x = b->s->width - 1,
-               .last_y = b->s->height - 1,
-               .highest = o->linear_march ? 0 : p->levels - 1,
-               .most_steps = o->max_iterations,
-               .as_hdrp = o->as_hdrp,
-               .push = ssr_ray_push(*c),
-               .slab = ssr_slab_of(*c, o->thickness)};
-    for (int level = 0; level < p->levels; level++)
-        m.start[level] = (int)(p->depth[level] - p->depth[0]);
-    return m;
+    return (march){.cells = p->depth[0],
+                   .last_x = b->s->width - 1,
+                   .last_y = b->s->height - 1,
+                   .highest = o->linear_march ? 0 : p->levels - 1,
+                   .most_steps = o->max_iterations,
+                   .as_hdrp = o->as_hdrp,
+                   .push = ssr_ray_push(*c),
+                   .slab = ssr_slab_of(*c, o->thickness)};
+}
+
+/* Cells of a level: it covers the one below to its last row and column. */
+K_FN kint cells_of(march s, kint level) {
+    return ((s.last_x >> level) + 1) * ((s.last_y >> level) + 1);
+}
+
+/* Where the next level starts: they lie behind one another. */
+K_FN kint next_start(march s, kint start, kint level, kint next) {
+    const kint up = start + cells_of(s, level);
+    const kint down = start - cells_of(s, level > 0 ? level - 1 : 0);
+    return ssr_pick(next > level, up, ssr_pick(next < level, down, start));
 }
 
 /* One step of each ray that goes on. */
@@ -121,10 +130,10 @@ static void step_all(const march *shared, pool *p) {
         const ssr_march m = march_in(p, i);
         const bool goes = k_and(m.state == SSR_MARCH_GOES, p->n[STEPS][i] < s.most_steps);
         const kint x = ssr_march_x(r, m), y = ssr_march_y(r, m);
-        /* a level covers the one below to its last row and column */
         const kint last_x = s.last_x >> m.level, last_y = s.last_y >> m.level;
         const kint inside_x = x < last_x ? x : last_x, inside_y = y < last_y ? y : last_y;
-        const kint cell = shared->start[m.level] + inside_y * (last_x + 1) + inside_x;
+        const kint start = p->n[START][i];
+        const kint cell = start + inside_y * (last_x + 1) + inside_x;
         const float nearest = s.cells[cell].nearest;
         /* without the farthest depth nothing is known of what lies behind */
         const float farthest =
@@ -132,6 +141,7 @@ static void step_all(const march *shared, pool *p) {
         const ssr_march next = ssr_march_step(r, m, s.slab, x, y, nearest, farthest, s.highest);
         p->f[AT][i] = k_select(goes, next.q, m.q);
         p->n[LEVEL][i] = ssr_pick(goes, next.level, m.level);
+        p->n[START][i] = ssr_pick(goes, next_start(s, start, m.level, next.level), start);
         p->n[BELOW][i] = ssr_pick(goes, next.below, m.below);
         p->n[STATE][i] = ssr_pick(goes, next.state, m.state);
         p->n[STEPS][i] += k_flag(goes);
@@ -194,47 +204,26 @@ static void march_to(const lobe_ssr *s, const march *shared, pool *p, int most,
 
 /* ---- Draws ----------------------------------------------------------------------------------- */
 
-/* The pixels of a block that are drawn for. */
+/* Pixels of a row, and what is drawn for them. */
 typedef struct drawn {
-    int count;
-    size_t pixel[BLOCK];
-    int x[BLOCK], y[BLOCK];
     surfaces at;
     v3_block u, wo, direction;
     float pdf[BLOCK], weight[BLOCK];
-    kint kept[BLOCK];
+    kint wanted[BLOCK], kept[BLOCK]; /* has a ray; that is traced */
 } drawn;
 
-/* The next pixels that are traced, up to a block; the others have no ray. Goes on from *pixel. */
-static void find_pixels(const ssr_band *b, drawn *d, size_t *pixel, size_t end) {
-    const lobe_ssr_options *o = &b->s->options;
-    const size_t width = (size_t)b->s->width;
-    size_t x = *pixel % width, y = *pixel / width;
-    d->count = 0;
-    for (; *pixel < end && d->count < BLOCK; ++*pixel) {
-        b->s->rays[*pixel] = (lobe_ssr_ray){.x = -1, .y = -1, .state = LOBE_SSR_NO_RAY};
-        if ((!b->f->mask || b->f->mask[*pixel]) &&
-            ssr_roughness_fade(b->f->roughness[*pixel], o->fade_start, o->fade_end) > 0.0f) {
-            d->pixel[d->count] = *pixel;
-            d->x[d->count] = (int)x;
-            d->y[d->count++] = (int)y;
-        }
-        if (++x == width) {
-            x = 0;
-            y++;
-        }
-    }
-}
-
-/* n: whole vectors; what is beyond the last pixel is like it. */
-static void read_pixels(const ssr_band *b, drawn *d, const ssr_camera *c, int n) {
-    for (int i = d->count; i < n; i++) {
-        d->pixel[i] = d->pixel[d->count - 1];
-        d->x[i] = d->x[d->count - 1];
-        d->y[i] = d->y[d->count - 1];
-    }
-    for (int i = 0; i < n; i++) put_pixel(&d->at, i, b->f, d->pixel[i], d->x[i], d->y[i]);
-    make_surfaces(&d->at, n, c, b->f);
+/* Whether any of n pixels has a ray. */
+static int find_wanted(const ssr_band *b, drawn *d, size_t pixel, int n) {
+    const float start = b->s->options.fade_start, end = b->s->options.fade_end;
+#pragma omp simd
+    for (int i = 0; i < whole_vectors(n); i++)
+        d->wanted[i] = k_flag(
+            k_and(k_is(d->at.seen[i]), ssr_roughness_fade(d->at.roughness[i], start, end) > 0.0f));
+    for (int i = 0; b->f->mask && i < n; i++)
+        d->wanted[i] &= k_flag(b->f->mask[pixel + (size_t)i] != 0);
+    kint any = 0;
+    for (int i = 0; i < n; i++) any |= d->wanted[i];
+    return k_is(any);
 }
 
 static void draw_mirrored(drawn *d, int n) {
@@ -247,20 +236,21 @@ static void draw_mirrored(drawn *d, int n) {
     }
 }
 
-static void make_noise(const lobe_ssr *s, drawn *d, int n) {
+/* From pixel (x, y) on. */
+static void make_noise(const lobe_ssr *s, drawn *d, int x, int y, int n) {
     const ssr_noise_keys keys = s->noise;
     const float bias = s->options.bias;
     const bool by_first = s->options.mode == LOBE_SSR_NDF;
 #pragma omp simd
     for (int i = 0; i < n; i++) {
         const ssr_noise u =
-            ssr_biased(ssr_noise_of(keys, (kword)d->x[i], (kword)d->y[i]), bias, by_first);
+            ssr_biased(ssr_noise_of(keys, (kword)(x + i), (kword)y), bias, by_first);
         put_v3(&d->u, i, v3_of(u.u1, u.u2, u.u3));
     }
 }
 
-static void draw_lobe(const lobe_ssr *s, drawn *d, int n) {
-    make_noise(s, d, n);
+static void draw_lobe(const lobe_ssr *s, drawn *d, int x, int y, int n) {
+    make_noise(s, d, x, y, n);
     const v3_block *v = &d->at.to_viewer;
     lobe_sample_batch_f32 batch = {.count = (size_t)n,
                                    .options = lobe_reflection_default_options(),
@@ -286,7 +276,7 @@ static void start_rays(drawn *d, int n, const ssr_camera *camera, pool *p) {
         v3 direction = ssr_to_world(surface, wo);
         put_v3(&d->direction, i, direction);
         const bool kept = ssr_is_kept((facet_draw){.wo = wo, .weight = d->weight[i]});
-        d->kept[i] = k_flag(k_and(kept, k_is(d->at.seen[i])));
+        d->kept[i] = k_flag(k_and(kept, k_is(d->wanted[i])));
         /* what is not traced shares steps for a while: it must lead nowhere that is not there */
         direction = v3_select(k_is(d->kept[i]), direction, v3_of(0.0f, 0.0f, 1.0f));
         const float z = ssr_start_z(surface, d->at.z[i]);
@@ -295,47 +285,61 @@ static void start_rays(drawn *d, int n, const ssr_camera *camera, pool *p) {
     }
 }
 
-/* Writes the draws, and takes out again the rays that are not traced. */
-static void keep_rays(const lobe_ssr *s, const drawn *d, pool *p, ssr_counts *counts) {
+/* Writes n draws, and takes out again the rays that are not traced. */
+static void keep_rays(const drawn *d, int n, size_t pixel, lobe_ssr_ray *rays, pool *p,
+                      ssr_counts *counts) {
     const int first = p->count;
-    p->count += d->count;
-    for (int i = d->count - 1; i >= 0; i--) {
-        p->n[PIXEL][first + i] = (kint)d->pixel[i];
-        if (k_is(d->at.seen[i])) {
-            lobe_ssr_ray *ray = &s->rays[d->pixel[i]];
-            ray->direction =
-                (lobe_vec3_f32){d->direction.x[i], d->direction.y[i], d->direction.z[i]};
-            ray->pdf = d->pdf[i];
-            ray->weight = d->weight[i];
-            ray->state = LOBE_SSR_REJECTED;
-            counts->rays++;
-            counts->rejected += !k_is(d->kept[i]);
-        }
-        if (!k_is(d->kept[i])) remove_ray(p, first + i);
+    p->count += n;
+    for (int i = n - 1; i >= 0; i--) {
+        p->n[PIXEL][first + i] = (kint)(pixel + (size_t)i);
+        const bool wanted = k_is(d->wanted[i]), kept = k_is(d->kept[i]);
+        rays[i] =
+            (lobe_ssr_ray){.direction = {d->direction.x[i], d->direction.y[i], d->direction.z[i]},
+                           .pdf = d->pdf[i],
+                           .weight = d->weight[i],
+                           .x = -1,
+                           .y = -1,
+                           .state = LOBE_SSR_REJECTED};
+        if (!wanted) rays[i] = (lobe_ssr_ray){.x = -1, .y = -1, .state = LOBE_SSR_NO_RAY};
+        counts->rays += wanted;
+        counts->rejected += wanted && !kept;
+        if (!kept) remove_ray(p, first + i);
     }
+}
+
+/* Draws for n pixels of row y from x on, and starts their rays. */
+static void draw_block(const ssr_band *b, const ssr_camera *c, drawn *d, pool *p, int x, int y,
+                       int n, ssr_counts *counts) {
+    const size_t pixel = (size_t)y * (size_t)b->s->width + (size_t)x;
+    lobe_ssr_ray *rays = b->s->rays + pixel;
+    const int whole = whole_vectors(n);
+    read_surfaces(&d->at, b->f, pixel, x, y, n);
+    make_surfaces(&d->at, whole, c, b->f);
+    if (!find_wanted(b, d, pixel, n)) {
+        for (int i = 0; i < n; i++)
+            rays[i] = (lobe_ssr_ray){.x = -1, .y = -1, .state = LOBE_SSR_NO_RAY};
+        return;
+    }
+    if (b->s->options.mode == LOBE_SSR_MIRROR)
+        draw_mirrored(d, whole);
+    else
+        draw_lobe(b->s, d, x, y, whole);
+    start_rays(d, whole, c, p);
+    keep_rays(d, n, pixel, rays, p, counts);
 }
 
 void SSR_SYMBOL(trace)(const ssr_band *b, ssr_counts *counts) {
     const ssr_camera c = lobe_ssr_kernel_camera(b->s, &b->f->camera);
     const march shared = march_of(b, &c);
-    const size_t end = (size_t)b->end * (size_t)b->s->width;
-    size_t pixel = (size_t)b->first * (size_t)b->s->width;
+    const int width = b->s->width;
     pool p;
     memset(&p, 0, sizeof p);
     drawn d;
     memset(&d, 0, sizeof d);
-    while (pixel < end) {
-        find_pixels(b, &d, &pixel, end);
-        if (d.count == 0) continue;
-        const int n = whole_vectors(d.count);
-        read_pixels(b, &d, &c, n);
-        if (b->s->options.mode == LOBE_SSR_MIRROR)
-            draw_mirrored(&d, n);
-        else
-            draw_lobe(b->s, &d, n);
-        start_rays(&d, n, &c, &p);
-        keep_rays(b->s, &d, &p, counts);
-        march_to(b->s, &shared, &p, POOL - BLOCK, counts);
-    }
+    for (int y = b->first; y < b->end; y++)
+        for (int x = 0; x < width; x += BLOCK) {
+            draw_block(b, &c, &d, &p, x, y, width - x < BLOCK ? width - x : BLOCK, counts);
+            march_to(b->s, &shared, &p, POOL - BLOCK, counts);
+        }
     march_to(b->s, &shared, &p, 0, counts);
 }

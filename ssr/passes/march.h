@@ -107,7 +107,7 @@ K_FN real ssr_march_length(ssr_ray r, ssr_march m) {
 K_FN kint ssr_march_cell(real origin, real direction, real q, real push, kint level) {
     real ahead = k_select(direction < R(0.0), -push, push);
     real at = k_max(origin + q * direction + ahead, R(0.0));
-    return k_to_int(k_floor(at)) >> level;
+    return k_whole(at) >> level;
 }
 
 K_FN kint ssr_march_x(ssr_ray r, ssr_march m) {
