@@ -1,6 +1,7 @@
 /* The handle: options, memory, driver; and the passes of the processor in order. */
 #include "lobe/ssr.h"
 
+#include <limits.h>
 #include <math.h>
 #include <omp.h>
 #include <stdio.h>
@@ -238,6 +239,9 @@ static lobe_ssr_result check_frame(const lobe_ssr_frame *f) {
     if (e->rgb && (e->width < 1 || e->height < 1 || e->levels < 1))
         return lobe_ssr_fail(LOBE_SSR_BAD_INPUT,
                              "environment: it has no texel; give sizes of 1 at least");
+    if (e->rgb && 3.0 * e->width * e->height * e->levels > INT_MAX)
+        return lobe_ssr_fail(LOBE_SSR_BAD_INPUT,
+                             "environment: 2^31 numbers or more; give a smaller picture");
     return LOBE_SSR_OK;
 }
 
