@@ -1,5 +1,6 @@
 /* gbuffer.json: sizes, cameras and names of files. */
 #include <errno.h>
+#include <limits.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -97,7 +98,9 @@ static lobe_ssr_result read_environment(lobe_ssr_folder *f, const json_t *object
     if (!f->environment_file) return refuse(&p, "it names no file");
     if (!read_count(object, "width", LOBE_SSR_SIZE_MAX, &e->width) ||
         !read_count(object, "height", LOBE_SSR_SIZE_MAX, &e->height) ||
-        !read_count(object, "levels", 64, &e->levels) || e->height > LOBE_SSR_SIZE_MAX / e->levels)
+        !read_count(object, "levels", 64, &e->levels) ||
+        e->height > LOBE_SSR_SIZE_MAX / e->levels ||
+        3.0 * e->width * e->height * e->levels > INT_MAX)
         return refuse(&p, "width, height or levels is missing or out of range");
     return LOBE_SSR_OK;
 }

@@ -59,9 +59,6 @@ int lobe_ssr_is_camera(const lobe_ssr_camera *c);
 /* 0: no surface there. */
 float lobe_ssr_z_at(const lobe_ssr_frame *f, size_t pixel);
 
-/* Motion of a pixel, 0 where it is not finite. */
-void lobe_ssr_motion_at(const lobe_ssr_frame *f, size_t pixel, float motion[2]);
-
 /* Motion of a place that does not move itself and is seen at pixel (x, y) now. */
 void lobe_ssr_motion_of(const ssr_camera *now, const ssr_camera *before, int x, int y, v3 place,
                         float motion[2]);
@@ -75,9 +72,6 @@ ssr_noise_keys lobe_ssr_noise_keys(uint64_t seed, uint64_t frame);
 
 /* Light at a direction, 0 without an environment. */
 v3 lobe_ssr_environment_at(const lobe_ssr_environment *e, v3 direction, float roughness);
-
-/* Colour between the pixels of a picture; `p` in [0, 1] across it. */
-v3 lobe_ssr_color_between(const float *rgb, int width, int height, const float p[2]);
 
 /* The passes, in order. */
 void lobe_ssr_pass_pyramid(lobe_ssr *s, const lobe_ssr_frame *f);

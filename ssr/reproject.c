@@ -1,49 +1,87 @@
 /* Reproject: where what a ray met was on the screen one frame ago, its colour there, and how far the edge
  * of the screen fades it. */
-#include "pipeline.h"
+#include "bands.h"
+#include "between.h"
+#include "block.h"
 
-v3 lobe_ssr_color_between(const float *rgb, int width, int height, const float p[2]) {
-    const ssr_between b = ssr_between_of(p[0] * (float)width, p[1] * (float)height);
-    v3 sum = v3_of(0.0f, 0.0f, 0.0f);
-    for (int k = 0; k < 4; k++) {
-        const size_t x = (size_t)ssr_inside(ssr_corner_x(b, k), width);
-        const size_t y = (size_t)ssr_inside(ssr_corner_y(b, k), height);
-        sum = ssr_add_share(sum, ssr_v3(rgb + 3 * (y * (size_t)width + x)), ssr_share(b, k));
+/* Pixels whose rays met something. */
+typedef struct met {
+    int count;
+    size_t pixel[BLOCK];
+    float px[BLOCK], py[BLOCK]; /* what was met: its centre */
+    float motion_x[BLOCK], motion_y[BLOCK], roughness[BLOCK];
+    float x[BLOCK], y[BLOCK]; /* where it was, in [0, 1] across the screen; 0: not on it */
+    kint on_screen[BLOCK];
+} met;
+
+/* Nothing was found yet; the next pixels whose rays met something, up to a block. */
+static void find_rays(met *m, const ssr_band *b, size_t *pixel, size_t end) {
+    const lobe_ssr *s = b->s;
+    m->count = 0;
+    for (; *pixel < end && m->count < BLOCK; ++*pixel) {
+        const lobe_ssr_ray *ray = &s->rays[*pixel];
+        memset(s->found + 4 * *pixel, 0, 4 * sizeof *s->found);
+        if (ray->state != LOBE_SSR_HIT && ray->state != LOBE_SSR_SKY) continue;
+        const int i = m->count++;
+        const size_t there = (size_t)ray->y * (size_t)s->width + (size_t)ray->x;
+        m->pixel[i] = *pixel;
+        m->px[i] = (float)ray->x + 0.5f;
+        m->py[i] = (float)ray->y + 0.5f;
+        m->roughness[i] = b->f->roughness[*pixel];
+        m->motion_x[i] = b->f->motion ? b->f->motion[2 * there] : 0.0f;
+        m->motion_y[i] = b->f->motion ? b->f->motion[2 * there + 1] : 0.0f;
     }
-    return sum;
+}
+
+static void find_places(met *m, int n, const lobe_ssr *s) {
+    const float width = (float)s->width, height = (float)s->height;
+#pragma omp simd
+    for (int i = 0; i < n; i++) {
+        const float x = ssr_usable_motion(m->motion_x[i], m->motion_y[i]);
+        const float y = ssr_usable_motion(m->motion_y[i], m->motion_x[i]);
+        const ssr_place p = ssr_place_before(m->px[i], m->py[i], width, height, x, y);
+        const bool on_screen = ssr_is_on_screen(p);
+        m->x[i] = k_select(on_screen, p.x, 0.0f);
+        m->y[i] = k_select(on_screen, p.y, 0.0f);
+        m->on_screen[i] = k_flag(on_screen);
+    }
 }
 
 /* APPROX takes the level of the colour pyramid that grows with roughness. */
-static v3 color_at(const lobe_ssr *s, const lobe_ssr_frame *f, float roughness, const float p[2]) {
-    if (s->options.resolve != LOBE_SSR_APPROX)
-        return lobe_ssr_color_between(f->previous_color, s->width, s->height, p);
+static v3 color_in_pyramid(const lobe_ssr *s, const lobe_ssr_frame *f, float roughness, float x,
+                           float y) {
     const float level = ssr_rough_level(roughness, s->pyramid.levels);
     v3 sum = v3_of(0.0f, 0.0f, 0.0f);
     for (int k = 0; k < 2; k++) {
         const int at = ssr_level_at(level, k, s->pyramid.levels);
         const float *rgb = at == 0 ? f->previous_color : s->pyramid.color[at];
-        const v3 color =
-            lobe_ssr_color_between(rgb, s->pyramid.width[at], s->pyramid.height[at], p);
+        const v3 color = ssr_color_between(rgb, s->pyramid.width[at], s->pyramid.height[at], x, y);
         sum = ssr_add_share(sum, color, ssr_level_share(level, k));
     }
     return sum;
 }
 
-/* r, g, b and the fade of what the ray of a pixel met; 0 where that cannot be known. */
-static void look_up(const lobe_ssr *s, const lobe_ssr_frame *f, size_t pixel, float found[4]) {
-    const lobe_ssr_ray *ray = &s->rays[pixel];
-    for (int k = 0; k < 4; k++) found[k] = 0.0f;
-    if (ray->state != LOBE_SSR_HIT && ray->state != LOBE_SSR_SKY) return;
-    float motion[2];
-    lobe_ssr_motion_at(f, (size_t)ray->y * (size_t)s->width + (size_t)ray->x, motion);
-    const ssr_place p = ssr_place_before((float)ray->x + 0.5f, (float)ray->y + 0.5f,
-                                         (float)s->width, (float)s->height, motion[0], motion[1]);
-    if (!ssr_is_on_screen(p)) return;
-    const v3 c = color_at(s, f, f->roughness[pixel], (float[2]){p.x, p.y});
-    ssr_put_reflected(found, ssr_found(p, c, s->options.edge_fade));
+static void look_up(const met *m, const ssr_band *b) {
+    const lobe_ssr *s = b->s;
+    const int approx = s->options.resolve == LOBE_SSR_APPROX;
+    for (int i = 0; i < m->count; i++) {
+        if (!k_is(m->on_screen[i])) continue;
+        const ssr_place p = {m->x[i], m->y[i]};
+        const v3 color =
+            approx ? color_in_pyramid(s, b->f, m->roughness[i], p.x, p.y)
+                   : ssr_color_between(b->f->previous_color, s->width, s->height, p.x, p.y);
+        ssr_put_reflected(s->found + 4 * m->pixel[i], ssr_found(p, color, s->options.edge_fade));
+    }
 }
 
-void lobe_ssr_pass_reproject(lobe_ssr *s, const lobe_ssr_frame *f) {
-#pragma omp parallel for schedule(static) num_threads(s->threads)
-    for (size_t i = 0; i < ssr_pixels(s); i++) look_up(s, f, i, s->found + 4 * i);
+void SSR_SYMBOL(reproject)(const ssr_band *b) {
+    const size_t width = (size_t)b->s->width, end = (size_t)b->end * width;
+    size_t pixel = (size_t)b->first * width;
+    met m;
+    memset(&m, 0, sizeof m);
+    while (pixel < end) {
+        find_rays(&m, b, &pixel, end);
+        find_places(&m, whole_vectors(m.count), b->s);
+        look_up(&m, b);
+    }
 }

@@ -1,51 +1,218 @@
 /* Resolve: the colour of a pixel from its own ray and those of its neighbours. */
-#include "pipeline.h"
+#include "bands.h"
+#include "block.h"
 
-static float weight_of(const lobe_ssr *s, const ssr_resolved *p, const lobe_ssr_ray *ray,
-                       int is_own) {
-    const v3 direction = v3_of(ray->direction.x, ray->direction.y, ray->direction.z);
-    if (s->options.as_hdrp) return ssr_hdrp_weight(*p, ray->state, direction);
-    return ssr_ray_weight(*p, ray->state, direction, ray->pdf, is_own,
-                          s->options.mode == LOBE_SSR_MIRROR, (kint)s->options.resolve);
-}
+/* ---- What rays found ------------------------------------------------------------------------- */
 
-static ssr_sum gather(const lobe_ssr *s, const ssr_resolved *p, int x, int y) {
-    ssr_sum sum = ssr_no_sum();
-    for (int dy = -1; dy <= 1; dy++)
-        for (int dx = -1; dx <= 1; dx++) {
-            const int nx = x + dx, ny = y + dy;
-            if (nx < 0 || ny < 0 || nx >= s->width || ny >= s->height) continue;
-            const size_t neighbour = (size_t)ny * (size_t)s->width + (size_t)nx;
-            sum = ssr_add_ray(sum, ssr_reflected_at(s->found + 4 * neighbour),
-                              weight_of(s, p, &s->rays[neighbour], dx == 0 && dy == 0));
-        }
-    return sum;
-}
+enum { AROUND = BLOCK + 16 }; /* a block, a pixel on either side, and whole vectors */
 
-static void resolve_pixel(const lobe_ssr *s, const lobe_ssr_frame *f, const ssr_camera *c, int x,
-                          int y, float out[4]) {
-    const size_t pixel = (size_t)y * (size_t)s->width + (size_t)x;
-    for (int k = 0; k < 4; k++) out[k] = 0.0f;
-    ssr_surface surface;
-    if (s->rays[pixel].state == LOBE_SSR_NO_RAY || !lobe_ssr_surface_at(c, f, x, y, &surface))
+/* Rays of a row from one pixel before the block to one after; off the screen there is none. */
+typedef struct row {
+    float x[AROUND], y[AROUND], z[AROUND], pdf[AROUND]; /* direction in the world, density */
+    float r[AROUND], g[AROUND], b[AROUND], fade[AROUND];
+    kint state[AROUND];
+} row;
+
+static void read_ray(const lobe_ssr *s, row *to, int i, int x, int y) {
+    if (x < 0 || y < 0 || x >= s->width || y >= s->height) {
+        to->x[i] = to->y[i] = to->z[i] = to->pdf[i] = 0.0f;
+        to->r[i] = to->g[i] = to->b[i] = to->fade[i] = 0.0f;
+        to->state[i] = SSR_NO_RAY;
         return;
-    ssr_sum sum;
-    if (s->options.resolve == LOBE_SSR_APPROX) {
-        sum = ssr_add_ray(ssr_no_sum(), ssr_reflected_at(s->found + 4 * pixel), 1.0f);
-    } else {
-        const ssr_resolved p = ssr_resolved_of(surface);
-        sum = gather(s, &p, x, y);
     }
-    const float fade =
-        ssr_roughness_fade(f->roughness[pixel], s->options.fade_start, s->options.fade_end);
-    ssr_put_reflected(out, ssr_mean_of(sum, fade));
+    const size_t pixel = (size_t)y * (size_t)s->width + (size_t)x;
+    const lobe_ssr_ray *ray = &s->rays[pixel];
+    to->x[i] = ray->direction.x;
+    to->y[i] = ray->direction.y;
+    to->z[i] = ray->direction.z;
+    to->pdf[i] = ray->pdf;
+    to->state[i] = ray->state;
+    const float *found = s->found + 4 * pixel;
+    to->r[i] = found[0];
+    to->g[i] = found[1];
+    to->b[i] = found[2];
+    to->fade[i] = found[3];
 }
 
-void lobe_ssr_pass_resolve(lobe_ssr *s, const lobe_ssr_frame *f) {
-    const ssr_camera c = lobe_ssr_kernel_camera(s, &f->camera);
-#pragma omp parallel for schedule(dynamic, 4) num_threads(s->threads)
-    for (int y = 0; y < s->height; y++)
-        for (int x = 0; x < s->width; x++)
-            resolve_pixel(s, f, &c, x, y,
-                          s->resolved + 4 * ((size_t)y * (size_t)s->width + (size_t)x));
+static void read_row(const lobe_ssr *s, row *to, int x, int y, int n) {
+    for (int i = 0; i < n + 2; i++) read_ray(s, to, i, x - 1 + i, y);
+}
+
+/* ---- Sums over them -------------------------------------------------------------------------- */
+
+/* What ssr_resolved has of a pixel beside its surface. */
+typedef struct bases {
+    v3_block wi, world_to_viewer;
+    float ax[BLOCK], ay[BLOCK], inv_ax[BLOCK], inv_ay[BLOCK];
+    float t_i[BLOCK], d_peak[BLOCK], value_scale[BLOCK];
+    kint valid[BLOCK], mirror[BLOCK];
+} bases;
+
+typedef struct around {
+    surfaces at;
+    bases bases;
+    row rows[3]; /* row y in y % 3 */
+    v3_block color;
+    float opacity[BLOCK], weight[BLOCK];
+} around;
+
+static void make_bases(around *a, int n) {
+    bases *b = &a->bases;
+#pragma omp simd
+    for (int i = 0; i < n; i++) {
+        const ssr_resolved p = ssr_resolved_of(surface_in(&a->at, i));
+        put_v3(&b->wi, i, p.g.wi);
+        put_v3(&b->world_to_viewer, i, p.world_to_viewer);
+        b->ax[i] = p.g.ax;
+        b->ay[i] = p.g.ay;
+        b->inv_ax[i] = p.g.inv_ax;
+        b->inv_ay[i] = p.g.inv_ay;
+        b->t_i[i] = p.g.t_i;
+        b->d_peak[i] = p.g.d_peak;
+        b->value_scale[i] = p.g.value_scale;
+        b->valid[i] = p.g.valid;
+        b->mirror[i] = p.g.mirror;
+    }
+}
+
+K_FN ssr_resolved resolved_in(const around *a, int i) {
+    const bases *b = &a->bases;
+    return (ssr_resolved){.surface = surface_in(&a->at, i),
+                          .world_to_viewer = v3_in(&b->world_to_viewer, i),
+                          .g = {.wi = v3_in(&b->wi, i),
+                                .ax = b->ax[i],
+                                .ay = b->ay[i],
+                                .inv_ax = b->inv_ax[i],
+                                .inv_ay = b->inv_ay[i],
+                                .t_i = b->t_i[i],
+                                .d_peak = b->d_peak[i],
+                                .value_scale = b->value_scale[i],
+                                .valid = b->valid[i],
+                                .mirror = b->mirror[i],
+                                .plane = v3_of(0.0f, 0.0f, 1.0f)}};
+}
+
+K_FN ssr_reflected found_in(const row *r, int i) {
+    return (ssr_reflected){.color = v3_of(r->r[i], r->g[i], r->b[i]), .opacity = r->fade[i]};
+}
+
+K_FN ssr_sum sum_in(const around *a, int i) {
+    return (ssr_sum){
+        .color = v3_in(&a->color, i), .opacity = a->opacity[i], .weight = a->weight[i]};
+}
+
+K_FN void put_sum(around *a, int i, ssr_sum sum) {
+    put_v3(&a->color, i, sum.color);
+    a->opacity[i] = sum.opacity;
+    a->weight[i] = sum.weight;
+}
+
+/* HDRP's own weight, beside the ways of passes/resolve.h. */
+enum { AS_HDRP = SSR_NEIGHBOURHOOD_RATIO + 1 };
+
+/* Adds to the sums of n pixels, whole vectors, the rays of a row from element `first` on. */
+K_FN void add_rays(around *a, int n, const row *r, int first, bool is_own, bool mirrors, kint way) {
+#pragma omp simd
+    for (int i = 0; i < n; i++) {
+        const ssr_resolved p = resolved_in(a, i);
+        const int k = first + i;
+        const v3 direction = v3_of(r->x[k], r->y[k], r->z[k]);
+        const float weight = way == AS_HDRP ? ssr_hdrp_weight(p, r->state[k], direction)
+                                            : ssr_ray_weight(p, r->state[k], direction, r->pdf[k],
+                                                             is_own, mirrors, way);
+        put_sum(a, i, ssr_add_ray(sum_in(a, i), found_in(r, k), weight));
+    }
+}
+
+K_FN void add_neighbours(around *a, int y, int n, bool mirrors, kint way) {
+    for (int dy = -1; dy <= 1; dy++)
+        for (int dx = -1; dx <= 1; dx++)
+            add_rays(a, n, &a->rows[(y + dy + 3) % 3], 1 + dx, dx == 0 && dy == 0, mirrors, way);
+}
+
+/* The pixel's own ray alone. */
+static void take_own(around *a, int y, int n) {
+    const row *own = &a->rows[y % 3];
+#pragma omp simd
+    for (int i = 0; i < n; i++)
+        put_sum(a, i, ssr_add_ray(ssr_no_sum(), found_in(own, i + 1), 1.0f));
+}
+
+static void clear_sums(around *a, int n) {
+    for (int i = 0; i < n; i++) put_sum(a, i, ssr_no_sum());
+}
+
+/* A way to weigh, a loop: each becomes vectors by itself. */
+static void add_all(around *a, int y, int n, const lobe_ssr_options *o) {
+    const bool mirrors = o->mode == LOBE_SSR_MIRROR;
+    clear_sums(a, n);
+    if (o->resolve != LOBE_SSR_APPROX) make_bases(a, n);
+    if (o->resolve == LOBE_SSR_APPROX)
+        take_own(a, y, n);
+    else if (o->as_hdrp)
+        add_neighbours(a, y, n, mirrors, AS_HDRP);
+    else if (o->resolve == LOBE_SSR_NEIGHBOURHOOD)
+        add_neighbours(a, y, n, mirrors, SSR_NEIGHBOURHOOD);
+    else
+        add_neighbours(a, y, n, mirrors, SSR_NEIGHBOURHOOD_RATIO);
+}
+
+/* From sums to means; 0 where there is no ray. */
+static void make_means(around *a, int y, int n, const lobe_ssr_options *o) {
+    const row *own = &a->rows[y % 3];
+    const float start = o->fade_start, end = o->fade_end;
+#pragma omp simd
+    for (int i = 0; i < n; i++) {
+        const float fade = ssr_roughness_fade(a->at.roughness[i], start, end);
+        const ssr_reflected mean = ssr_mean_of(sum_in(a, i), fade);
+        const bool is_used = k_and(own->state[i + 1] != SSR_NO_RAY, k_is(a->at.seen[i]));
+        put_v3(&a->color, i, v3_select(is_used, mean.color, v3_of(0.0f, 0.0f, 0.0f)));
+        a->opacity[i] = k_select(is_used, mean.opacity, 0.0f);
+    }
+}
+
+/* ---- Pixels ---------------------------------------------------------------------------------- */
+
+static int has_ray(const row *r, int n) {
+    int any = 0;
+    for (int i = 1; i <= n; i++) any |= r->state[i] != SSR_NO_RAY;
+    return any;
+}
+
+static void write_pixels(const around *a, int n, float *out) {
+    for (int i = 0; i < n; i++) {
+        out[4 * i] = a->color.x[i];
+        out[4 * i + 1] = a->color.y[i];
+        out[4 * i + 2] = a->color.z[i];
+        out[4 * i + 3] = a->opacity[i];
+    }
+}
+
+/* n pixels of row y from x on; of the rows around, the last one is still to be read. */
+static void resolve_block(const ssr_band *b, const ssr_camera *c, around *a, int x, int y, int n) {
+    const size_t pixel = (size_t)y * (size_t)b->s->width + (size_t)x;
+    float *out = b->s->resolved + 4 * pixel;
+    read_row(b->s, &a->rows[(y + 1) % 3], x, y + 1, n);
+    if (!has_ray(&a->rows[y % 3], n)) {
+        memset(out, 0, 4 * (size_t)n * sizeof *out);
+        return;
+    }
+    read_surfaces(&a->at, b->f, pixel, x, y, n);
+    const int whole = whole_vectors(n);
+    make_surfaces(&a->at, whole, c, b->f);
+    add_all(a, y, whole, &b->s->options);
+    make_means(a, y, whole, &b->s->options);
+    write_pixels(a, n, out);
+}
+
+void SSR_SYMBOL(resolve)(const ssr_band *b) {
+    const ssr_camera c = lobe_ssr_kernel_camera(b->s, &b->f->camera);
+    around a;
+    memset(&a, 0, sizeof a);
+    for (int x = 0; x < b->s->width; x += BLOCK) {
+        const int n = b->s->width - x < BLOCK ? b->s->width - x : BLOCK;
+        read_row(b->s, &a.rows[(b->first + 2) % 3], x, b->first - 1, n);
+        read_row(b->s, &a.rows[b->first % 3], x, b->first, n);
+        for (int y = b->first; y < b->end; y++) resolve_block(b, &c, &a, x, y, n);
+    }
 }

@@ -1,6 +1,7 @@
 /* The handle: options, memory, driver; and the passes of the processor in order. */
 #include "lobe/ssr.h"
 
+#include <limits.h>
 #include <math.h>
 #include <omp.h>
 #include <stdio.h>
@@ -24,6 +25,10 @@ lobe_ssr_options lobe_ssr_default_options(void) {
                               .speed_rejection = 0.5f,
                               .speed_scale = 0.2f,
                               .reflect_sky = 1};
+}
+
+int lobe_ssr_has_bias(lobe_method method) {
+    return method != LOBE_METHOD_SLOPE && method != LOBE_METHOD_SLOPE_PUBLISHED;
 }
 
 static const struct {
@@ -67,25 +72,29 @@ static lobe_ssr_result check_options(const lobe_ssr_options *o) {
     return LOBE_SSR_OK;
 }
 
-/* 0: no memory. */
+/* The levels of depth lie behind one another. 0: no memory. */
 static int make_pyramid(lobe_ssr *s) {
     pyramid *p = &s->pyramid;
     int width = s->width, height = s->height;
+    size_t start[SSR_LEVELS_MAX], cells = 0;
     for (;;) {
         const int level = p->levels++;
-        const size_t cells = (size_t)width * (size_t)height;
+        const size_t of_level = (size_t)width * (size_t)height;
         p->width[level] = width;
         p->height[level] = height;
-        p->depth[level] = malloc(cells * sizeof *p->depth[level]);
-        if (!p->depth[level]) return 0;
+        start[level] = cells;
+        cells += of_level;
         if (level > 0 && s->options.resolve == LOBE_SSR_APPROX) {
-            p->color[level] = malloc(3 * cells * sizeof *p->color[level]);
+            p->color[level] = malloc(3 * of_level * sizeof *p->color[level]);
             if (!p->color[level]) return 0;
         }
-        if (width == 1 && height == 1) return 1;
+        if (width == 1 && height == 1) break;
         width = (width + 1) / 2;
         height = (height + 1) / 2;
     }
+    ssr_cell *all = malloc(cells * sizeof *all);
+    for (int level = 0; all && level < p->levels; level++) p->depth[level] = all + start[level];
+    return all != NULL;
 }
 
 /* What only the processor's passes keep. */
@@ -166,10 +175,8 @@ static lobe_ssr_result open_cpu(lobe_ssr *s) {
 }
 
 static void close_cpu(lobe_ssr *s) {
-    for (int level = 0; level < s->pyramid.levels; level++) {
-        free(s->pyramid.depth[level]);
-        free(s->pyramid.color[level]);
-    }
+    free(s->pyramid.depth[0]);
+    for (int level = 1; level < s->pyramid.levels; level++) free(s->pyramid.color[level]);
     free(s->found);
     free(s->history);
     free(s->last_z);
@@ -232,6 +239,9 @@ static lobe_ssr_result check_frame(const lobe_ssr_frame *f) {
     if (e->rgb && (e->width < 1 || e->height < 1 || e->levels < 1))
         return lobe_ssr_fail(LOBE_SSR_BAD_INPUT,
                              "environment: it has no texel; give sizes of 1 at least");
+    if (e->rgb && 3.0 * e->width * e->height * e->levels > INT_MAX)
+        return lobe_ssr_fail(LOBE_SSR_BAD_INPUT,
+                             "environment: 2^31 numbers or more; give a smaller picture");
     return LOBE_SSR_OK;
 }
 

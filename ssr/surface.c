@@ -22,14 +22,6 @@ float lobe_ssr_z_at(const lobe_ssr_frame *f, size_t pixel) {
     return ssr_usable_z(f->z[pixel], f->camera.near_z, f->camera.far_z);
 }
 
-void lobe_ssr_motion_at(const lobe_ssr_frame *f, size_t pixel, float motion[2]) {
-    motion[0] = motion[1] = 0.0f;
-    if (!f->motion) return;
-    const float *m = f->motion + 2 * pixel;
-    motion[0] = ssr_usable_motion(m[0], m[1]);
-    motion[1] = ssr_usable_motion(m[1], m[0]);
-}
-
 static ssr_material material_at(const lobe_ssr_frame *f, size_t pixel) {
     ssr_material m = ssr_material_of(ssr_v3(f->normal + 3 * pixel), f->roughness[pixel]);
     if (!f->anisotropy || !f->tangent) return m;

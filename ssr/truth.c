@@ -1,6 +1,7 @@
 /* Truth: the reflection of the same G-buffer by real rays, and what it says of the traced ones. */
 #include <math.h>
 
+#include "between.h"
 #include "frames.h"
 #include "lobe/metrics.h"
 #include "lobe/random.h"
@@ -50,11 +51,9 @@ static v3 real_light(const lobe_ssr_frames *f, const ssr_camera *previous, const
     if (meets) at = ssr_project(*previous, ssr_in(met.position));
     *screen = meets ? is_seen(previous, f->previous_z, at)
                     : is_sky_seen(previous, f->previous_z, direction, &at);
-    if (*screen) {
-        const float on_screen[2] = {at.x / previous->width, at.y / previous->height};
-        return lobe_ssr_color_between(f->color, (int)previous->width, (int)previous->height,
-                                      on_screen);
-    }
+    if (*screen)
+        return ssr_color_between(f->color, (int)previous->width, (int)previous->height,
+                                 at.x / previous->width, at.y / previous->height);
     if (!meets) return ssr_in(lobe_rays_environment(f->rays, ssr_out(direction)));
     return ssr_in(lobe_rays_light(f->rays, ssr_out(p->place), ssr_out(direction),
                                   f->options.seed + 1, stream, 0, 1));

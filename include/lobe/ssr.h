@@ -53,7 +53,8 @@ LOBE_API lobe_ssr_camera lobe_ssr_look_at(lobe_vec3_f32 eye, lobe_vec3_f32 targe
                                           float far_z);
 
 /* Light from everywhere, prefiltered: level k of `levels` for perceptual roughness k/(levels - 1), each of
- * width x height x 3 floats; direction d at u = 1/2 + atan2(d.z, d.x)/(2 pi), v = acos(d.y)/pi. */
+ * width x height x 3 floats, fewer than 2^31 in all; direction d at u = 1/2 + atan2(d.z, d.x)/(2 pi),
+ * v = acos(d.y)/pi. */
 typedef struct lobe_ssr_environment {
     int width, height, levels;
     const float *rgb;

@@ -17,6 +17,11 @@ K_FN kword k_word(kint x) {
     return (kword)x;
 }
 
+/* The whole number below x, 0 <= x < 2^31. */
+K_FN kint k_whole(real x) {
+    return (kint)x;
+}
+
 /* a < b, and false if a is no number. */
 K_FN bool k_is_below(real a, real b) {
     return a < b;

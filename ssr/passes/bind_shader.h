@@ -15,6 +15,11 @@ K_FN kword k_word(kint x) {
     return uint(x);
 }
 
+/* The whole number below x, 0 <= x < 2^31. */
+K_FN kint k_whole(real x) {
+    return kint(x);
+}
+
 /* a < b, and false if a is no number: by its bits, for the compilers of shaders turn conditions around as if
  * there were none such. */
 K_FN bool k_is_below(real a, real b) {

@@ -55,6 +55,11 @@ K_FN real ssr_leave(real origin, real direction, real low, real high) {
     return k_select(k_abs(direction) > R(1e-12), to * ssr_inverse(direction), K_HUGE);
 }
 
+/* `push` of all rays of a camera. */
+K_FN real ssr_ray_push(ssr_camera c) {
+    return k_max(R(0.00048828125), (c.width + c.height) * R(2.0) * K_EPS);
+}
+
 /* From pixel position (px, py) at distance z along the axis, in a direction of the world. */
 K_FN ssr_ray ssr_ray_of(ssr_camera c, real px, real py, real z, v3 direction) {
     v3 a = ssr_axes_of(c, direction);
@@ -75,7 +80,7 @@ K_FN ssr_ray ssr_ray_of(ssr_camera c, real px, real py, real z, v3 direction) {
     real end_y = ssr_leave(py, r.direction.y, R(0.5), c.height - R(0.5));
     real end_z = ssr_leave(r.origin.z, r.direction.z, R(0.0), R(1.0));
     r.end = k_min(k_min(end_x, end_y), end_z);
-    r.push = k_max(R(0.00048828125), (c.width + c.height) * R(2.0) * K_EPS);
+    r.push = ssr_ray_push(c);
     r.axis_z = z;
     r.slope = a.z;
     r.norm = norm;
@@ -102,7 +107,7 @@ K_FN real ssr_march_length(ssr_ray r, ssr_march m) {
 K_FN kint ssr_march_cell(real origin, real direction, real q, real push, kint level) {
     real ahead = k_select(direction < R(0.0), -push, push);
     real at = k_max(origin + q * direction + ahead, R(0.0));
-    return k_to_int(k_floor(at)) >> level;
+    return k_whole(at) >> level;
 }
 
 K_FN kint ssr_march_x(ssr_ray r, ssr_march m) {

@@ -53,10 +53,16 @@ K_FN real ssr_ray_weight(ssr_resolved p, kint state, v3 direction, real pdf, boo
     return k_select(k_or(state == SSR_NO_RAY, state == SSR_REJECTED), R(0.0), weight);
 }
 
+/* HDRP's Lambda has the square of z: it does not see which side a direction is on. */
+K_FN v3 ssr_folded(v3 d) {
+    return v3_of(d.x, d.y, k_abs(d.z));
+}
+
 /* World-space vectors in the weight, and draws that were dropped as misses of weight 1. */
 K_FN real ssr_hdrp_weight(ssr_resolved p, kint state, v3 direction) {
     real alpha = R(0.5) * (p.surface.alpha_x + p.surface.alpha_y);
-    real visible = ssr_visible_weight(p.world_to_viewer, direction, alpha, alpha);
+    real visible =
+        ssr_visible_weight(ssr_folded(p.world_to_viewer), ssr_folded(direction), alpha, alpha);
     real weight = k_select(state == SSR_REJECTED, R(1.0), visible);
     return k_select(state == SSR_NO_RAY, R(0.0), weight);
 }

@@ -201,12 +201,30 @@ static void fades_end_where_they_should(void **state) {
     assert_true(ssr_new_share(0.75f, 5.0f, 5.0f, 0.1f) == 1.0f);
 }
 
+/* HDRP's weight does not see on which side of the world's plane z = 0 a direction is. */
+static void the_weight_of_hdrp_is_even_in_z(void **state) {
+    (void)state;
+    ssr_resolved p = {.surface = {.alpha_x = 0.25f, .alpha_y = 0.25f}};
+    for (int k = 0; k < 8; k++) {
+        const float eye = k & 1 ? -0.6f : 0.6f, ray = k & 2 ? -0.28f : 0.28f;
+        p.world_to_viewer = v3_of(0.8f, 0.0f, eye);
+        const float seen = 1.0f + ggx_lambda(v3_of(0.8f, 0.0f, 0.6f), 0.25f, 0.25f);
+        const float lit = ggx_lambda(v3_of(0.0f, 0.96f, 0.28f), 0.25f, 0.25f);
+        const kint met = k & 4 ? SSR_HIT : SSR_MISS;
+        const float weight = ssr_hdrp_weight(p, met, v3_of(0.0f, 0.96f, ray));
+        assert_true(fabsf(weight - seen / (seen + lit)) < 1e-6f);
+    }
+    assert_true(ssr_hdrp_weight(p, SSR_REJECTED, v3_of(0.0f, 0.0f, -1.0f)) == 1.0f);
+    assert_true(ssr_hdrp_weight(p, SSR_NO_RAY, v3_of(0.0f, 0.0f, 1.0f)) == 0.0f);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(constant_light_stays_constant),
                                        cmocka_unit_test(the_mean_weight_is_the_albedo),
                                        cmocka_unit_test(neighbours_share_out_the_random_numbers),
                                        cmocka_unit_test(a_bias_shortens_the_lobe),
                                        cmocka_unit_test(history_averages_and_is_dropped),
-                                       cmocka_unit_test(fades_end_where_they_should)};
+                                       cmocka_unit_test(fades_end_where_they_should),
+                                       cmocka_unit_test(the_weight_of_hdrp_is_even_in_z)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
