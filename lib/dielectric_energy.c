@@ -1,68 +1,34 @@
+#include "../kernel/bind/c_f32.h"
+
+#include "dielectric_axes.h"
 #include "dielectric_energy.h"
 
-#include <stdint.h>
-
-enum {
-    COSINES = LOBE_ENERGY_COSINES,
-    ALPHAS = LOBE_ENERGY_ALPHAS,
-    INDICES = LOBE_ENERGY_INDICES,
-    ROWS = 2 * INDICES - 1 /* from the inside, equal indices, from the outside */
-};
-
-/* 65535 sqrt(E), the cosine running fastest, then roughness, index, shadowing. */
-static const uint16_t TABLE[2 * ROWS * ALPHAS * COSINES] = {
+static const lobe_energy_table TABLE = {
 #include "dielectric_energy.inc"
 };
 
-static float least(float a, float b) {
-    return a < b ? a : b;
-}
-
-static float relative(float x, float alpha) {
-    return x > 0 ? least(x * (1 + alpha) / (x + alpha), 1) : 0;
-}
-
-static float absolute(float y, float alpha) {
-    return y * alpha / (1 + alpha - y);
-}
-
-/* Between two entries of an axis. */
-typedef struct place {
-    int low;
-    float share; /* of the upper one */
-} place;
-
-static place place_on(float position, int entries) {
-    int low = (int)least(position, (float)(entries - 2));
-    return (place){low, position - (float)low};
-}
-
-/* Near equal indices E is linear in n - 1, far from them in the axis. */
-static place place_of_index(float eta, float alpha) {
-    float n = eta < 1 ? 1 / eta : eta;
-    float s = __builtin_sqrtf(least((n - 1) / 2, 1));
-    place p = place_on(relative(s, alpha) * (INDICES - 1), INDICES);
-    if (p.low < INDICES / 2) {
-        float low = absolute((float)p.low / (INDICES - 1), alpha);
-        float high = absolute((float)(p.low + 1) / (INDICES - 1), alpha);
-        p.share = (s * s - low * low) / (high * high - low * low);
+/* Of four roughnesses at each of four cosines, in one row. */
+static float face(const int16_t alphas[LOBE_ENERGY_ALPHAS][LOBE_ENERGY_COSINES],
+                  albedo_stencil alpha, albedo_stencil cosine) {
+    float along[4];
+    for (int k = 0; k < 4; ++k) {
+        const int16_t *v = &alphas[(int)alpha.first + k][(int)cosine.first];
+        along[k] = albedo_mix(cosine, (float)v[0], (float)v[1], (float)v[2], (float)v[3]);
     }
-    return p;
+    return albedo_mix(alpha, along[0], along[1], along[2], along[3]);
 }
 
 float lobe_dielectric_energy(float cosine, float alpha, float eta, int separable) {
-    float a = least(alpha > 1e-4f ? alpha : 1e-4f, 1);
-    place i = place_of_index(eta, a);
-    place j = place_on(__builtin_sqrtf(a) * (ALPHAS - 1), ALPHAS);
-    place k = place_on(relative(cosine, a) * (COSINES - 1), COSINES);
-    float sum = 0;
-    for (int corner = 0; corner < 8; ++corner) {
-        int di = corner & 1, dj = corner >> 1 & 1, dk = corner >> 2;
-        int row = INDICES - 1 + (eta < 1 ? -(i.low + di) : i.low + di);
-        int line = ((separable != 0) * ROWS + row) * ALPHAS + j.low + dj;
-        float root = (float)TABLE[line * COSINES + k.low + dk] / 65535;
-        sum += (di ? i.share : 1 - i.share) * (dj ? j.share : 1 - j.share) *
-               (dk ? k.share : 1 - k.share) * root * root;
-    }
-    return sum;
+    const float a = k_min(k_max(alpha, LOBE_ENERGY_LEAST_ALPHA), 1.0f), c = k_saturate(cosine);
+    const float s = k_sqrt(k_saturate(0.5f * (k_max(eta, 1.0f / eta) - 1.0f)));
+    const float shift = energy_shift(s, a);
+    const albedo_stencil row =
+        albedo_stencil_of(energy_axis(s, energy_row_scale(a)), LOBE_ENERGY_INDICES);
+    const albedo_stencil column = albedo_stencil_of(energy_axis(c, shift), LOBE_ENERGY_COSINES);
+    const albedo_stencil rough = albedo_stencil_of(k_sqrt(a), LOBE_ENERGY_ALPHAS);
+    float rows[4];
+    for (int k = 0; k < 4; ++k)
+        rows[k] = face(TABLE[separable != 0][eta < 1.0f][(int)row.first + k], rough, column);
+    const float kept = albedo_mix(row, rows[0], rows[1], rows[2], rows[3]);
+    return k_min(energy_base(c, shift, a) * k_exp(LOBE_ENERGY_STEP * kept), 1.0f);
 }

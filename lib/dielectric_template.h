@@ -50,7 +50,7 @@ static real energy_once(ggx_dielectric s) {
  * Next to the horizon, for an index next to 1, all of it is lost: there is a limit. */
 static real energy_factor(ggx_dielectric s) {
     if (!k_is(s.side.valid) || k_is(s.side.straight) || k_is(s.side.mirror)) return 1;
-    return R(1.0) / k_max(energy_once(s), R(1e-3));
+    return R(1.0) / k_max(energy_once(s), R(1e-5));
 }
 
 model_type LOBE_NAME(dielectric_prepare)(lobe_dielectric_options options, vec_type wi, real alpha_x,

@@ -1,15 +1,12 @@
 #include "../kernel/bind/c_f32.h"
 
+#include "dielectric_axes.h"
 #include "dielectric_energy.h"
 #include "dielectric_turned.h"
 
 static const lobe_turned_table TABLE = {
 #include "dielectric_turned.inc"
 };
-
-static float relative(float x, float alpha) {
-    return k_saturate(x * (1 + alpha) / k_max(x + alpha, K_TINY));
-}
 
 static float mix(albedo_stencil s, const float v[4]) {
     return albedo_mix(s, v[0], v[1], v[2], v[3]);
@@ -19,8 +16,8 @@ static float mix(albedo_stencil s, const float v[4]) {
 static float face(const int16_t ratios[LOBE_TURNED_RATIOS - 1][LOBE_TURNED_AZIMUTHS],
                   albedo_stencil ratio, albedo_stencil azimuth) {
     float along[4] = {0};
-    for (int k = 0; k < LOBE_TURNED_RATIOS - 1; ++k) {
-        const int16_t *v = &ratios[k][(int)azimuth.first];
+    for (int k = 0; k < 4 && (int)ratio.first + k < LOBE_TURNED_RATIOS - 1; ++k) {
+        const int16_t *v = &ratios[(int)ratio.first + k][(int)azimuth.first];
         along[k] = albedo_mix(azimuth, (float)v[0], (float)v[1], (float)v[2], (float)v[3]);
     }
     return mix(ratio, along);
@@ -28,20 +25,21 @@ static float face(const int16_t ratios[LOBE_TURNED_RATIOS - 1][LOBE_TURNED_AZIMU
 
 float lobe_dielectric_turned(float cosine, float alpha_wide, float alpha_narrow, float wide_share,
                              float eta, int separable) {
-    _Static_assert(LOBE_TURNED_RATIOS == 4, "one cubic");
     const float wide = k_min(k_max(alpha_wide, 1e-4f), 1),
                 narrow = k_min(k_max(alpha_narrow, 1e-4f), wide);
     const float root_w = k_sqrt(wide), root_n = k_sqrt(narrow);
-    const float toward = k_sqrt(wide_share * wide * wide + (1 - wide_share) * narrow * narrow);
-    const float turn = (k_sqrt(toward) - root_n) / k_max(root_w - root_n, 1e-6f);
+    const float toward = lobe_turned_toward(wide, narrow, wide_share);
     const float least = LOBE_TURNED_LEAST_ROOT;
     const float index = k_sqrt(k_saturate(0.5f * (k_max(eta, 1 / eta) - 1)));
-    const albedo_stencil rows = albedo_stencil_of(relative(index, toward), LOBE_TURNED_INDICES);
-    const albedo_stencil columns = albedo_stencil_of(relative(cosine, toward), LOBE_TURNED_COSINES);
+    const albedo_stencil rows =
+        albedo_stencil_of(energy_axis(index, energy_row_scale(toward)), LOBE_TURNED_INDICES);
+    const albedo_stencil columns =
+        albedo_stencil_of(energy_axis(cosine, energy_shift(index, toward)), LOBE_TURNED_COSINES);
     const albedo_stencil alphas = albedo_stencil_of(root_w, LOBE_TURNED_ALPHAS);
     const albedo_stencil ratio =
         albedo_stencil_of(k_saturate((root_n / root_w - least) / (1 - least)), LOBE_TURNED_RATIOS);
-    const albedo_stencil azimuth = albedo_stencil_of(k_saturate(turn), LOBE_TURNED_AZIMUTHS);
+    const albedo_stencil azimuth =
+        albedo_stencil_of(lobe_turned_azimuth(wide, narrow, toward), LOBE_TURNED_AZIMUTHS);
     float by_row[4], by_column[4], by_alpha[4];
     for (int i = 0; i < 4; ++i) {
         const int step = (int)rows.first + i;

@@ -353,7 +353,7 @@ static void thin_walls(void **state) {
 static void compensation_restores_the_furnace(void **state) {
     (void)state;
     const double cosines[] = {1, 0.7, 0.3, 0.05, -0.05, -0.3, -0.7, -1};
-    const double roughness[] = {0.05, 0.3, 0.6, 1}, indices[] = {1.15, 1.33, 1.5, 2.4};
+    const double roughness[] = {0.05, 0.3, 0.6, 1}, indices[] = {1.02, 1.15, 1.5, 2.4};
     for (int k = 0; k < 8 * 4 * 4 * 2; ++k) {
         lobe_dielectric_options options = options_of((lobe_g2)(k & 1), LOBE_TRANSPORT_IMPORTANCE);
         options.compensate = 1;
@@ -362,17 +362,17 @@ static void compensation_restores_the_furnace(void **state) {
         lobe_dielectric_f64 model = lobe_dielectric_prepare_f64(options, wi, alpha, alpha, ior);
         double r, t;
         furnace(&model, 96, &r, &t);
-        if (!(fabs(r + t - 1) < 0.012))
+        if (!(fabs(r + t - 1) < 0.006))
             fail_msg("wi.z %g alpha %g ior %g: %g", z, alpha, ior, r + t);
     }
 }
 
 /* Nor does it leave much where the roughnesses differ, along both axes and between them: the worst that the
- * table leaves is 0.015 at 2 : 1, 0.048 at 4 : 1. */
+ * table leaves here is 0.0025 at 2 : 1, 0.0073 at 4 : 1. */
 static void compensation_knows_two_roughnesses(void **state) {
     (void)state;
     const double cosines[] = {0.9, 0.1, -0.1, -0.9}, turns[] = {0, 0.7, 1.5707963};
-    const double roughness[] = {0.2, 0.7, 1}, indices[] = {1.15, 1.5, 2.2};
+    const double roughness[] = {0.2, 0.7, 1}, indices[] = {1.02, 1.5, 2.2};
     for (int k = 0; k < 4 * 3 * 3 * 3 * 2; ++k) {
         lobe_dielectric_options options = options_of((lobe_g2)(k & 1), LOBE_TRANSPORT_IMPORTANCE);
         options.compensate = 1;
@@ -384,7 +384,7 @@ static void compensation_knows_two_roughnesses(void **state) {
             lobe_dielectric_prepare_f64(options, wi, wide_x, alpha * alpha / ratio / wide_x, ior);
         double r, t;
         furnace(&model, 96, &r, &t);
-        if (!(fabs(r + t - 1) < (ratio < 3 ? 0.02 : 0.055)))
+        if (!(fabs(r + t - 1) < (ratio < 3 ? 0.004 : 0.009)))
             fail_msg("wi.z %g turn %g alpha %g,%g ior %g: %g", z, turn, model.alpha_x,
                      model.alpha_y, ior, r + t);
     }
