@@ -9,7 +9,7 @@
  * Near c, where the share above cancels, it is a series in the gap c - x, and so is its inverse.
  *
  * The inverse (Jakob 2014 and Tokuyoshi 2021 take Newton steps from a start that is exact for one c) starts from
- * a polynomial in c and in the Gaussian slope with the same share below it, kept between bounds of the gap, and
+ * a polynomial in c and in the Gaussian slope with the same share below it, never nearer to c than can be, and
  * takes one step (double: two): the series of the depth in the share, to the fourth order, from a rounded depth,
  * whose few digits make products exact, so that the share is known to twice its last digit. */
 #ifndef K_BECKMANN_SLOPES_H
@@ -418,7 +418,7 @@ K_FN real beckmann_slopes_inverse(beckmann_slopes r, real u) {
 }
 
 /* Residual of the inverse, the share of all visible slopes that the depth misses, against long double
- * (tests/kernel/beckmann_slopes_template.h: c over all magnitudes of both signs; 2 10^6 places each): below 1e-7
+ * (tests/kernel/beckmann_slopes_template.h: c over all magnitudes of both signs; 2000000 places each, its argument): below 1e-7
  * in float, at worst 6.9e-8 of all slopes (c = -0.927116394, u = 0.910636544), 9.9e-8 between two limits (c =
  * -0.207575798, u = 1.46165602e-09); the depth nearest to the exact root would leave up to 4.4e-8. In double 1.1e-16
  * and 4e-16. Of the smaller share itself it misses in float at most 1e-3 down to 1e-8, where the depth tells slopes

@@ -4,12 +4,15 @@
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdlib.h>
 #include <cmocka.h>
 
 #include "kernel/beckmann_slopes.h"
 #include "beckmann_exact.h"
 
-enum { CASES = 150000 };
+static uint64_t cases = 150000; /* or the argument of the program */
+
+static double worst;
 
 /* c over all magnitudes of both signs, u over the interval and both its ends. */
 static real cotangent(uint64_t k) {
@@ -22,6 +25,12 @@ static real number(uint64_t k) {
     if (k % 5 == 0) u = pow(10, -11 * u);
     if (k % 5 == 1) u = 1 - pow(10, -7.2 * u);
     return k_min((real)u, K_BELOW_ONE);
+}
+
+/* Keeps the worst of a test. */
+static void keep(double e, real c, real u) {
+    if (!(e < RESIDUAL)) fail_msg("c = %.9g, u = %.9g: residual %.3g", (double)c, (double)u, e);
+    worst = fmax(worst, e);
 }
 
 /* |exact share - wanted share|, taken on the side where the share is small */
@@ -39,26 +48,28 @@ static double residual(real c, beckmann_slopes r, real u) {
 
 static void inverse_of_all_slopes(void **state) {
     (void)state;
-    for (uint64_t k = 0; k < CASES; ++k) {
+    worst = 0;
+    for (uint64_t k = 0; k < cases; ++k) {
         real c = cotangent(k), u = number(k);
-        double e = residual(c, beckmann_slopes_of(c), u);
-        if (!(e < RESIDUAL)) fail_msg("c = %.9g, u = %.9g: residual %.3g", (double)c, (double)u, e);
+        keep(residual(c, beckmann_slopes_of(c), u), c, u);
     }
+    print_message("worst residual %.3g\n", worst);
 }
 
 /* [3c, c) below the horizon (V-cavity), any two limits above it (horizon) */
 static void inverse_between_limits(void **state) {
     (void)state;
-    for (uint64_t k = 0; k < CASES; ++k) {
+    worst = 0;
+    for (uint64_t k = 0; k < cases; ++k) {
         real c = cotangent(k), u = number(k);
         real t_least = c < R(0.0) ? R(0.0) : -c + (real)uniform(k, 2) * (c + R(1.0));
         real t_most = c < R(0.0) ? R(-2.0) * c : t_least + R(3.0) * (real)uniform(k, 3);
         beckmann_slopes r = beckmann_slopes_between(beckmann_slopes_of(c), t_least, t_most);
-        double e = residual(c, r, u);
-        if (!(e < RESIDUAL)) fail_msg("c = %.9g, u = %.9g: residual %.3g", (double)c, (double)u, e);
+        keep(residual(c, r, u), c, u);
         real t = beckmann_slopes_inverse(r, u);
         assert_true(t >= r.t_least && t <= r.t_most);
     }
+    print_message("worst residual %.3g\n", worst);
 }
 
 /* A share u more never gives a deeper slope, beyond rounding: no jump up at a change of formula, and the
@@ -78,7 +89,8 @@ static void inverse_is_monotone(void **state) {
     }
 }
 
-int main(void) {
+int main(int argc, char **argv) {
+    if (argc > 1) cases = strtoull(argv[1], NULL, 10);
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(inverse_of_all_slopes),
         cmocka_unit_test(inverse_between_limits),

@@ -5,6 +5,7 @@
 #include <lobe/render.h>
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 /* What third parties keep until the process ends is no leak of ours. */
@@ -12,6 +13,17 @@ const char *__lsan_default_suppressions(void);
 const char *__lsan_default_suppressions(void) {
     return "leak:libembree3\nleak:libembree4\nleak:libtbb\nleak:libassimp\nleak:libgomp\n"
            "leak:libomp\n";
+}
+
+/* A panorama of one colour, as a PFM. */
+static inline void write_even_light(const char *path, float radiance) {
+    float even[4 * 2 * 3];
+    for (int i = 0; i < 4 * 2 * 3; ++i) even[i] = radiance;
+    FILE *file = fopen(path, "wb");
+    assert_non_null(file);
+    fprintf(file, "PF\n4 2\n-1.0\n");
+    fwrite(even, sizeof even, 1, file);
+    fclose(file);
 }
 
 static inline lobe_scene *load(const char *name) {

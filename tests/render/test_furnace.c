@@ -41,13 +41,7 @@ static void white_coats_lose_nothing(void **state) {
     assert_non_null(file);
     fputs(obj, file);
     fclose(file);
-    float white[4 * 2 * 3];
-    for (int i = 0; i < 24; ++i) white[i] = 0.5f;
-    file = fopen("render-white.pfm", "wb");
-    assert_non_null(file);
-    fprintf(file, "PF\n4 2\n-1.0\n");
-    fwrite(white, sizeof white, 1, file);
-    fclose(file);
+    write_even_light("render-white.pfm", 0.5f);
     const float roughnesses[] = {0.0f, 0.05f, 0.28f, 0.6f, 1.0f};
     for (int k = 0; k < 5; ++k) {
         lobe_scene_options options = lobe_scene_default_options();

@@ -70,12 +70,7 @@ static void write_scene(const light *lights, int count) {
 }
 
 static lobe_scene *scene_of(const light *lights, int count) {
-    const float black[4 * 2 * 3] = {0};
-    FILE *file = fopen(sky_file, "wb");
-    assert_non_null(file);
-    fprintf(file, "PF\n4 2\n-1.0\n");
-    fwrite(black, sizeof black, 1, file);
-    fclose(file);
+    write_even_light(sky_file, 0.0f);
     write_scene(lights, count);
     lobe_scene_options options = lobe_scene_default_options();
     options.environment = sky_file;

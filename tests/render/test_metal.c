@@ -22,13 +22,7 @@ static int load_plate(void **state) {
     assert_non_null(file);
     fputs("v -9 -9 0\nv 9 -9 0\nv 9 9 0\nv -9 9 0\nf 1 2 3\nf 1 3 4\n", file);
     fclose(file);
-    float even[4 * 2 * 3];
-    for (int i = 0; i < 24; ++i) even[i] = 1.0f;
-    file = fopen("render-metal.pfm", "wb");
-    assert_non_null(file);
-    fprintf(file, "PF\n4 2\n-1.0\n");
-    fwrite(even, sizeof even, 1, file);
-    fclose(file);
+    write_even_light("render-metal.pfm", 1.0f);
     lobe_scene_options options = lobe_scene_default_options();
     options.environment = "render-metal.pfm";
     if (lobe_scene_load("render-metal.obj", options, &plate) != LOBE_RENDER_OK)
