@@ -23,6 +23,27 @@ WATCH = """addEventListener("securitypolicyviolation", (event) =>
     console.error(`policy: ${event.violatedDirective} ${event.blockedURI}`));"""
 
 
+# Keeps what each canvas was told to draw since it was cleared, as a hash: drawn(id). How the browser smooths the edges
+# of curves is its own affair, and depends on whether it paints by the processor or not.
+RECORD = """const hashes = new WeakMap(), context = CanvasRenderingContext2D.prototype;
+const mix = (hash, codes) => {
+    for (const code of codes) hash = Math.imul(hash ^ code, 16777619);
+    return hash;
+};
+const textOf = (x) => x instanceof HTMLCanvasElement ? String(hashes.get(x)) : String(x);
+for (const [name, { value }] of Object.entries(Object.getOwnPropertyDescriptors(context)))
+    if (typeof value === "function" && name !== "constructor")
+        context[name] = function (...list) {
+            const isWhole = name === "clearRect" || name === "putImageData";
+            const before = isWhole ? 0 : hashes.get(this.canvas) ?? 0;
+            const text = [name, this.fillStyle, this.strokeStyle, this.globalAlpha, ...list.map(textOf)].join();
+            const hash = mix(before, [...text].map((c) => c.codePointAt(0)));
+            hashes.set(this.canvas, name === "putImageData" ? mix(hash, list[0].data) : hash);
+            return value.apply(this, list);
+        };
+window.drawn = (id) => hashes.get(document.getElementById(id)) ?? null;"""
+
+
 class Served:
     """`lobe explore` on a free port."""
 
