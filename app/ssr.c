@@ -32,11 +32,11 @@ typedef struct camera_path {
 } camera_path;
 
 typedef struct ssr_values {
-    const char *out, *gbuffer, *compare, *camera, *environment;
+    const char *out, *gbuffer, *compare, *camera, *environment, *animation;
     lobe_app_size size;
     uint64_t frames, spp, seed, threads, iterations, truth_rays;
     double roughness, anisotropy, thickness, edge_fade, smoothness_start, smoothness_end,
-        accumulation, bias, speed_rejection, speed_scale;
+        accumulation, bias, speed_rejection, speed_scale, frame_time, frame_rate;
     camera_path path;
     lobe_camera_path *cameras; /* of its file; NULL: none */
     int mode, method, resolve, backend, progress;
@@ -45,7 +45,8 @@ typedef struct ssr_values {
 
 static const char *const paths[] = {"orbit", "dolly", "shake", "still", NULL};
 static const char *const modes[] = {"mirror", "ndf", "vndf", NULL};
-static const char *const resolves[] = {"approx", "neighbourhood", "neighbourhood-ratio", NULL};
+static const char *const resolves[] = {"approx", "neighbourhood", "neighbourhood-ratio", "own",
+                                       NULL};
 static const char *const backends[] = {"cpu", "gl", "auto", NULL};
 
 #define AT(member) offsetof(ssr_values, member)
@@ -82,6 +83,13 @@ static const lobe_app_option frame_options[] = {
      "nothing (still); or a JSON file of cameras: docs/camera.md",
      read_path, AT(path), paths},
     {"--camera", "NAME", "the first", "a camera of the file", lobe_app_read_name, AT(camera), NULL},
+    {"--frame-time", "S", "none: nodes rest",
+     "moment of the file's animation in frame 0, in seconds", lobe_app_read_f64, AT(frame_time),
+     NULL},
+    {"--frame-rate", "N", "24", "frames a second of the animation, 0.001 to 1000000",
+     lobe_app_read_f64, AT(frame_rate), NULL},
+    {"--animation", "NAME", "the first", "which animation; all: all of them", lobe_app_read_name,
+     AT(animation), NULL},
     {"--env", "FILE", "the scene's own light, or a sky", "panorama to light with",
      lobe_app_read_name, AT(environment), NULL},
     {"--spp", "N", "16", "camera paths a pixel of the colour that is reflected",
@@ -122,7 +130,8 @@ static const lobe_app_option trace_options[] = {
 
 static const lobe_app_option resolve_options[] = {
     {"--resolve", "NAME", "neighbourhood-ratio",
-     "colour from the pyramid, or from 3 x 3 rays by weight or by value over density",
+     "colour from the pyramid, from 3 x 3 rays by weight or by value over density, or of the "
+     "pixel's own ray alone",
      lobe_app_read_choice, AT(resolve), resolves},
     {"--edge-fade", "F", "0.1", "share of half the screen on which reflections fade", read_share,
      AT(edge_fade), NULL},
@@ -158,6 +167,8 @@ static ssr_values default_values(void) {
                         .iterations = (uint64_t)o.max_iterations,
                         .truth_rays = 256,
                         .roughness = -1,
+                        .frame_time = NAN,
+                        .frame_rate = 24,
                         .anisotropy = (double)s.anisotropy,
                         .thickness = (double)o.thickness,
                         .edge_fade = (double)o.edge_fade,
@@ -253,22 +264,31 @@ static void write_path(const ssr_run *run, char *text, size_t size) {
     write_view(text + length, size - (size_t)length, &frame->previous.view);
 }
 
+/* Of a scene in motion; a scene at rest has no such words. */
+static void write_moment(const ssr_values *v, char *text, size_t size) {
+    text[0] = 0;
+    if (!isnan(v->frame_time))
+        snprintf(text, size, " animation %.100s from %.17g at %.17g",
+                 v->animation ? v->animation : "-", v->frame_time, v->frame_rate);
+}
+
 /* What a kept truth depends on. */
 static void write_key(const ssr_run *run, char *key, size_t size) {
     const ssr_values *v = run->values;
-    char path[400];
+    char path[400], moment[200];
     write_path(run, path, sizeof path);
+    write_moment(v, moment, sizeof moment);
     struct stat file = {0};
     if (stat(run->source, &file) != 0) file = (struct stat){0};
     snprintf(key, size,
              "lobe %s %.200s %lld %lld env %.200s camera %.60s path %s size %dx%d frame %d of any, "
              "spp %llu "
-             "roughness %.9g anisotropy %.9g seed %llu mode %s rays %llu",
+             "roughness %.9g anisotropy %.9g seed %llu mode %s rays %llu%s",
              LOBE_VERSION_STRING, run->source, (long long)file.st_size, (long long)file.st_mtime,
              v->environment ? v->environment : "-", v->camera ? v->camera : "-", path,
              v->size.width, v->size.height, run->frame, (unsigned long long)v->spp, v->roughness,
              v->anisotropy, (unsigned long long)v->seed, modes[v->mode == LOBE_SSR_MIRROR ? 0 : 2],
-             (unsigned long long)v->truth_rays);
+             (unsigned long long)v->truth_rays, moment);
 }
 
 static lobe_ssr_result find_truth(ssr_run *run) {
@@ -477,8 +497,14 @@ static lobe_app_status run_frames(ssr_run *run) {
 
 static lobe_app_status open_scene(ssr_run *run) {
     const ssr_values *v = run->values;
-    const lobe_app_status status =
-        lobe_app_load_ssr_scene(&run->frames, run->source, v->environment);
+    lobe_scene_options scene = lobe_app_ssr_scene_options();
+    scene.environment = v->environment;
+    scene.frame_time = v->frame_time;
+    scene.animation = v->animation;
+    if (!isnan(v->frame_time))
+        return lobe_app_ssr_status(lobe_ssr_frames_of_animation(
+            run->source, scene, 1 / v->frame_rate, scene_options(run), &run->frames.frames));
+    const lobe_app_status status = lobe_app_load_ssr_scene(&run->frames, run->source, scene);
     if (status) return status;
     return lobe_app_ssr_status(
         lobe_ssr_frames_of_scene(run->frames.scene, scene_options(run), &run->frames.frames));
@@ -555,12 +581,23 @@ static lobe_app_status check_method(ssr_values *v, const lobe_app_arguments *arg
 /* What says how a scene is seen says nothing of frames that are there already. */
 static lobe_app_status check_folder(const lobe_app_arguments *arguments) {
     static const char *const of_scenes[] = {"--size",       "--camera-path", "--camera",
+                                            "--frame-time", "--frame-rate",  "--animation",
                                             "--env",        "--spp",         "--roughness",
                                             "--anisotropy", "--truth",       "--write-gbuffer"};
     for (size_t i = 0; i < sizeof of_scenes / sizeof *of_scenes; i++)
         if (lobe_app_is_given(arguments, of_scenes[i]))
             return lobe_app_reject(of_scenes[i], "leave it out, or give a scene",
                                    "the frames of a folder are as they are");
+    return LOBE_APP_DONE;
+}
+
+static lobe_app_status check_moments(const ssr_values *v, const lobe_app_arguments *arguments) {
+    const char *const of_motion[] = {"--frame-rate", "--animation"};
+    for (size_t i = 0; i < sizeof of_motion / sizeof *of_motion; i++)
+        if (isnan(v->frame_time) && lobe_app_is_given(arguments, of_motion[i]))
+            return lobe_app_reject(of_motion[i], "give --frame-time S too", "no moment to show");
+    if (!(v->frame_rate >= 0.001 && v->frame_rate <= 1e6))
+        return lobe_app_reject("--frame-rate", "use 0.001 to 1000000", "out of range");
     return LOBE_APP_DONE;
 }
 
@@ -595,6 +632,7 @@ static lobe_app_status check(ssr_values *v, const lobe_app_arguments *arguments)
     if (v->gbuffer && strcmp(v->gbuffer, v->out) == 0)
         return lobe_app_reject("--write-gbuffer", "give another folder", "the same as of -o");
     lobe_app_status status = read_cameras(v, arguments);
+    if (!status) status = check_moments(v, arguments);
     if (!status) status = check_counts(v);
     if (!status && lobe_app_is_folder(arguments->operand)) status = check_folder(arguments);
     return status ? status : check_method(v, arguments);

@@ -19,11 +19,14 @@ static void print_warning(void *user, const char *message) {
     lobe_app_report_line(message);
 }
 
-lobe_app_status lobe_app_load_ssr_scene(lobe_app_ssr_source *source, const char *name,
-                                        const char *environment) {
+lobe_scene_options lobe_app_ssr_scene_options(void) {
     lobe_scene_options options = lobe_scene_default_options();
-    options.environment = environment;
     options.warning = print_warning;
+    return options;
+}
+
+lobe_app_status lobe_app_load_ssr_scene(lobe_app_ssr_source *source, const char *name,
+                                        lobe_scene_options options) {
     const lobe_render_result loaded = lobe_scene_load(name, options, &source->scene);
     if (loaded == LOBE_RENDER_OK) return LOBE_APP_DONE;
     lobe_app_report_line(lobe_render_error_message());

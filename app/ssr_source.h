@@ -10,7 +10,7 @@
 #include "report.h"
 
 typedef struct lobe_app_ssr_source {
-    lobe_scene *scene;
+    lobe_scene *scene;       /* NULL: of the folder, or of the frames */
     lobe_ssr_frames *frames; /* of the scene; NULL: of the folder */
     lobe_ssr_folder *folder;
     lobe_ssr_folder_writer *writer; /* NULL: frames are not written */
@@ -21,8 +21,11 @@ bool lobe_app_is_folder(const char *path);
 /* Reports the message of lobe/ssr.h; the status that it means. */
 lobe_app_status lobe_app_ssr_status(lobe_ssr_result result);
 
+/* Those of a scene at rest; warnings are reported. */
+lobe_scene_options lobe_app_ssr_scene_options(void);
+
 lobe_app_status lobe_app_load_ssr_scene(lobe_app_ssr_source *source, const char *name,
-                                        const char *environment);
+                                        lobe_scene_options options);
 void lobe_app_close_ssr_source(lobe_app_ssr_source *source);
 
 /* Frame `index`, written too where that is asked for. */

@@ -1,6 +1,7 @@
 #include "integrator.h"
 
 #include "hit.h"
+#include "place.h"
 
 /* A hit, ready to shade. */
 typedef struct hit_point {
@@ -549,6 +550,7 @@ int lobe_first_surface(const lobe_scene *s, vec3 origin, vec3 direction,
                                   .f0 = v3_lerp(coat_f0, base_color_at(s, &h), metallic),
                                   .roughness = roughness,
                                   .anisotropy = anisotropy,
-                                  .tangent = shading.x};
+                                  .tangent = shading.x,
+                                  .place = lobe_place_of(s, &hit)};
     return 1;
 }

@@ -6,6 +6,7 @@
 
 #include "framing.h"
 #include "integrator.h"
+#include "place.h"
 
 struct lobe_rays {
     integrator integrator;
@@ -39,6 +40,12 @@ void lobe_rays_free(lobe_rays *rays) {
 int lobe_rays_meet(const lobe_rays *rays, lobe_vec3_f32 origin, lobe_vec3_f32 direction,
                    lobe_ray_surface *surface) {
     return lobe_first_surface(rays->integrator.scene, origin, direction, surface);
+}
+
+int lobe_rays_find(const lobe_rays *rays, const lobe_rays *from, const lobe_ray_place *place,
+                   lobe_vec3_f32 *position) {
+    return lobe_has_same_parts(rays->integrator.scene, from->integrator.scene) &&
+           lobe_find_place(rays->integrator.scene, place, position);
 }
 
 lobe_vec3_f32 lobe_rays_light(const lobe_rays *rays, lobe_vec3_f32 origin, lobe_vec3_f32 direction,

@@ -5,7 +5,7 @@
 
 /* Pixels of a row. */
 typedef struct moved {
-    float px[BLOCK], z[BLOCK];
+    float px[BLOCK], z[BLOCK], motion_z[BLOCK];
     float motion_x[BLOCK], motion_y[BLOCK];       /* of the surface */
     float reflected_x[BLOCK], reflected_y[BLOCK]; /* of what the ray met */
     kint used[BLOCK];                             /* 1: has a history */
@@ -27,6 +27,7 @@ static void read_pixel(moved *m, int i, const ssr_band *b, size_t pixel, int x) 
     }
     m->px[i] = (float)x + 0.5f;
     m->z[i] = b->f->z[pixel];
+    m->motion_z[i] = b->f->motion_z ? b->f->motion_z[pixel] : 0.0f;
     m->motion_x[i] = motion[0];
     m->motion_y[i] = motion[1];
     m->reflected_x[i] = reflected[0];
@@ -46,6 +47,7 @@ static void find_places(moved *m, int n, const ssr_band *b, const ssr_camera *no
     const float accumulation = o->accumulation;
     const float rejection = o->speed_rejection * o->speed_scale;
     const kint width = b->s->width;
+    const bool moves = b->f->motion_z != NULL;
 #pragma omp simd
     for (int i = 0; i < n; i++) {
         const float z = ssr_usable_z(m->z[i], now.near_z, now.far_z);
@@ -57,7 +59,8 @@ static void find_places(moved *m, int n, const ssr_band *b, const ssr_camera *no
         m->before_x[i] = k_select(used, before.x, 0.0f);
         m->before_y[i] = k_select(used, before.y, 0.0f);
         m->there[i] = (kint)m->before_y[i] * width + (kint)m->before_x[i];
-        m->expected[i] = ssr_expected_z(now, last, m->px[i], py, z);
+        m->expected[i] = k_select(moves, ssr_moved_z(z, m->motion_z[i]),
+                                  ssr_expected_z(now, last, m->px[i], py, z));
         m->used[i] = k_flag(used);
         m->share[i] = ssr_new_share(accumulation, speed_of(x, y, now),
                                     speed_of(m->reflected_x[i], m->reflected_y[i], now), rejection);

@@ -38,26 +38,26 @@ static lobe_ssr_camera given(const lobe_ssr_frames *f, const lobe_path_camera *f
 }
 
 /* What a rule says. */
-static lobe_ssr_camera moved(const lobe_ssr_frames *f, int index) {
-    const v3 target = ssr_in(f->view.target), back = v3_sub(ssr_in(f->view.position), target);
+static lobe_ssr_camera moved(const lobe_ssr_frames *f, lobe_view view, int index) {
+    const v3 target = ssr_in(view.target), back = v3_sub(ssr_in(view.position), target);
     const float distance = distance_to(back);
     v3 from = back;
     if (f->options.path == LOBE_SSR_PATH_ORBIT) from = turned(back, (float)index);
     if (f->options.path == LOBE_SSR_PATH_DOLLY) from = v3_scale(back, powf(0.99f, (float)index));
     if (f->options.path == LOBE_SSR_PATH_SHAKE && index > 0)
         from = v3_add(back, v3_scale(by_chance(index), 0.01f * distance));
-    lobe_view view = f->view;
     view.position = ssr_out(v3_add(target, from));
     return camera_of(f, &view, distance);
 }
 
 lobe_ssr_camera lobe_ssr_frame_camera(const lobe_ssr_frames *f, int index) {
     const lobe_camera_path *cameras = f->options.cameras;
-    return cameras ? given(f, &lobe_camera_path_get(cameras, index)->camera) : moved(f, index);
+    return cameras ? given(f, &lobe_camera_path_get(cameras, index)->camera)
+                   : moved(f, f->now.view, index);
 }
 
 lobe_ssr_camera lobe_ssr_previous_camera(const lobe_ssr_frames *f, int index) {
     const lobe_camera_path *cameras = f->options.cameras;
     if (cameras) return given(f, &lobe_camera_path_get(cameras, index)->previous);
-    return moved(f, index > 0 ? index - 1 : 0);
+    return moved(f, lobe_ssr_moment_before(f)->view, index > 0 ? index - 1 : 0);
 }

@@ -22,7 +22,8 @@ struct lobe_ssr_folder {
     lobe_ssr_environment environment; /* its sizes, and the light once it is read */
     float *light;
     lobe_ssr_frame frame; /* the present one */
-    float *z, *normal, *roughness, *f0, *motion, *color, *tangent, *anisotropy, *mask_values;
+    float *z, *normal, *roughness, *f0, *motion, *motion_z, *color, *tangent, *anisotropy,
+        *mask_values;
     unsigned char *mask;
 };
 

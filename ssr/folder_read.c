@@ -49,13 +49,14 @@ static int make_pictures(lobe_ssr_folder *f) {
     f->roughness = malloc(count * sizeof *f->roughness);
     f->f0 = malloc(3 * count * sizeof *f->f0);
     f->motion = malloc(2 * count * sizeof *f->motion);
+    f->motion_z = malloc(count * sizeof *f->motion_z);
     f->color = malloc(3 * count * sizeof *f->color);
     f->tangent = malloc(3 * count * sizeof *f->tangent);
     f->anisotropy = malloc(count * sizeof *f->anisotropy);
     f->mask_values = malloc(count * sizeof *f->mask_values);
     f->mask = malloc(count);
-    return f->z && f->normal && f->roughness && f->f0 && f->motion && f->color && f->tangent &&
-           f->anisotropy && f->mask_values && f->mask;
+    return f->z && f->normal && f->roughness && f->f0 && f->motion && f->motion_z && f->color &&
+           f->tangent && f->anisotropy && f->mask_values && f->mask;
 }
 
 lobe_ssr_result lobe_ssr_folder_open(const char *path, lobe_ssr_folder **folder) {
@@ -87,6 +88,7 @@ void lobe_ssr_folder_free(lobe_ssr_folder *f) {
     free(f->roughness);
     free(f->f0);
     free(f->motion);
+    free(f->motion_z);
     free(f->color);
     free(f->tangent);
     free(f->anisotropy);
@@ -143,7 +145,15 @@ static lobe_ssr_result read_previous(lobe_ssr_folder *f, int index) {
     return lobe_ssr_read_channels(path, f->width, f->height, own, 3, NULL);
 }
 
-enum { FIRST_F0 = 5, FIRST_MOTION = 8, FIRST_COLOR = 10, FIRST_AXIS = 13, MASK = 17, CHANNELS };
+enum {
+    FIRST_F0 = 5,
+    FIRST_MOTION = 8,
+    FIRST_COLOR = 10,
+    FIRST_AXIS = 13,
+    MASK = 17,
+    MOTION_Z,
+    CHANNELS
+};
 
 static lobe_ssr_result check_groups(const char *path, const ssr_wanted *w) {
     const int groups[][2] = {{FIRST_F0, 3}, {FIRST_MOTION, 2}, {FIRST_COLOR, 3}, {FIRST_AXIS, 4}};
@@ -162,6 +172,8 @@ static lobe_ssr_result use_channels(lobe_ssr_folder *f, int index, const ssr_wan
     frame->f0 = w[FIRST_F0].is_there ? f->f0 : NULL;
     frame->tangent = w[FIRST_AXIS].is_there ? f->tangent : NULL;
     frame->anisotropy = w[FIRST_AXIS].is_there ? f->anisotropy : NULL;
+    /* without the rest it would be of a motion that nobody knows */
+    frame->motion_z = w[MOTION_Z].is_there && w[FIRST_MOTION].is_there ? f->motion_z : NULL;
     frame->mask = w[MASK].is_there ? f->mask : NULL;
     for (size_t i = 0; frame->mask && i < count; i++) f->mask[i] = f->mask_values[i] > 0.0f;
     if (!w[FIRST_MOTION].is_there) motion_of_camera(f);
@@ -200,7 +212,8 @@ lobe_ssr_result lobe_ssr_folder_get(lobe_ssr_folder *f, int index, lobe_ssr_fram
                                    {"tangent.Y", f->tangent + 1, 3, 0, 0},
                                    {"tangent.Z", f->tangent + 2, 3, 0, 0},
                                    {"anisotropy", f->anisotropy, 1, 0, 0},
-                                   {"mask", f->mask_values, 1, 0, 0}};
+                                   {"mask", f->mask_values, 1, 0, 0},
+                                   {"motion.Z", f->motion_z, 1, 0, 0}};
     lobe_ssr_result result =
         lobe_ssr_read_channels(path, f->width, f->height, wanted, CHANNELS, NULL);
     if (result == LOBE_SSR_OK) result = check_groups(path, wanted);

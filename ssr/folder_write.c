@@ -81,9 +81,9 @@ static lobe_ssr_result write_picture(lobe_ssr_folder_writer *w, const char *name
                              *const color[] = {"previous.R", "previous.G", "previous.B", NULL},
                              *const tangent[] = {"tangent.X", "tangent.Y", "tangent.Z", NULL},
                              *const anisotropy[] = {"anisotropy", NULL},
-                             *const mask[] = {"mask", NULL};
+                             *const mask[] = {"mask", NULL}, *const motion_z[] = {"motion.Z", NULL};
     char path[FOLDER_PATH];
-    lobe_ssr_channel channels[18];
+    lobe_ssr_channel channels[19];
     const int has_axis = f->tangent && f->anisotropy;
     int count = 0;
     if (!lobe_ssr_folder_name(path, w->path, name))
@@ -98,6 +98,7 @@ static lobe_ssr_result write_picture(lobe_ssr_folder_writer *w, const char *name
     count += add_channels(channels + count, has_axis ? f->tangent : NULL, 3, tangent);
     count += add_channels(channels + count, has_axis ? f->anisotropy : NULL, 1, anisotropy);
     count += add_channels(channels + count, f->mask ? w->mask : NULL, 1, mask);
+    count += add_channels(channels + count, f->motion ? f->motion_z : NULL, 1, motion_z);
     return lobe_ssr_write_exr(path, w->width, w->height, channels, count, NULL);
 }
 

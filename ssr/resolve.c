@@ -108,7 +108,7 @@ K_FN void put_sum(around *a, int i, ssr_sum sum) {
 }
 
 /* HDRP's own weight, beside the ways of passes/resolve.h. */
-enum { AS_HDRP = SSR_NEIGHBOURHOOD_RATIO + 1 };
+enum { AS_HDRP = SSR_OWN + 1 };
 
 /* Adds to the sums of n pixels, whole vectors, the rays of a row from element `first` on. */
 K_FN void add_rays(around *a, int n, const row *r, int first, bool is_own, bool mirrors, kint way) {
@@ -146,10 +146,12 @@ static void clear_sums(around *a, int n) {
 static void add_all(around *a, int y, int n, const lobe_ssr_options *o) {
     const bool mirrors = o->mode == LOBE_SSR_MIRROR;
     clear_sums(a, n);
-    if (o->resolve != LOBE_SSR_APPROX) make_bases(a, n);
-    if (o->resolve == LOBE_SSR_APPROX)
+    if (ssr_is_alone((kint)o->resolve)) {
         take_own(a, y, n);
-    else if (o->as_hdrp)
+        return;
+    }
+    make_bases(a, n);
+    if (o->as_hdrp)
         add_neighbours(a, y, n, mirrors, AS_HDRP);
     else if (o->resolve == LOBE_SSR_NEIGHBOURHOOD)
         add_neighbours(a, y, n, mirrors, SSR_NEIGHBOURHOOD);

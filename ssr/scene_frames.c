@@ -34,19 +34,13 @@ static lobe_ssr_result check_options(const lobe_ssr_scene_options *o) {
     return LOBE_SSR_OK;
 }
 
-/* An error of the renderer becomes one of this room. */
-static lobe_ssr_result pass_on(lobe_render_result result) {
-    return lobe_ssr_fail(result == LOBE_RENDER_BAD_INPUT ? LOBE_SSR_BAD_INPUT : LOBE_SSR_FAILED,
-                         "%s", lobe_render_error_message());
-}
-
 static v3 light_of_scene(const void *rays, v3 direction) {
     return ssr_in(lobe_rays_environment(rays, ssr_out(direction)));
 }
 
 static int make_buffers(lobe_ssr_frames *f) {
     const size_t count = (size_t)f->options.width * (size_t)f->options.height;
-    f->environment = lobe_ssr_prefilter(light_of_scene, f->rays, f->threads);
+    f->environment = lobe_ssr_prefilter(light_of_scene, f->now.rays, f->threads);
     f->z = malloc(count * sizeof *f->z);
     f->normal = malloc(3 * count * sizeof *f->normal);
     f->roughness = malloc(count * sizeof *f->roughness);
@@ -56,31 +50,18 @@ static int make_buffers(lobe_ssr_frames *f) {
     f->anisotropy = malloc(count * sizeof *f->anisotropy);
     f->color = malloc(3 * count * sizeof *f->color);
     f->previous_z = malloc(count * sizeof *f->previous_z);
+    if (f->animation.is_moving) f->motion_z = malloc(count * sizeof *f->motion_z);
     return f->environment && f->z && f->normal && f->roughness && f->f0 && f->motion && f->color &&
-           f->tangent && f->anisotropy && f->previous_z;
+           f->tangent && f->anisotropy && f->previous_z && (f->motion_z || !f->animation.is_moving);
 }
 
-lobe_ssr_result lobe_ssr_frames_of_scene(const lobe_scene *scene, lobe_ssr_scene_options options,
-                                         lobe_ssr_frames **frames) {
-    *frames = NULL;
-    const lobe_ssr_result result = check_options(&options);
-    if (result != LOBE_SSR_OK) return result;
-    lobe_ssr_frames *f = calloc(1, sizeof *f);
-    if (!f) return lobe_ssr_fail_memory("frames");
-    f->options = options;
-    f->threads = options.threads ? options.threads : omp_get_max_threads();
-    lobe_render_result made = LOBE_RENDER_OK;
-    if (!options.cameras)
-        made = lobe_scene_view(scene, options.camera, (float)options.width / (float)options.height,
-                               &f->view);
-    if (made == LOBE_RENDER_OK) made = lobe_rays_create(scene, &f->rays);
-    if (made != LOBE_RENDER_OK) {
+/* `result`: of the first moment of f. */
+static lobe_ssr_result finish(lobe_ssr_frames *f, lobe_ssr_result result,
+                              lobe_ssr_frames **frames) {
+    if (result == LOBE_SSR_OK && !make_buffers(f)) result = lobe_ssr_fail_memory("frames");
+    if (result != LOBE_SSR_OK) {
         lobe_ssr_frames_free(f);
-        return pass_on(made);
-    }
-    if (!make_buffers(f)) {
-        lobe_ssr_frames_free(f);
-        return lobe_ssr_fail_memory("frames");
+        return result;
     }
     f->frame = (lobe_ssr_frame){
         .z = f->z,
@@ -90,15 +71,43 @@ lobe_ssr_result lobe_ssr_frames_of_scene(const lobe_scene *scene, lobe_ssr_scene
         .tangent = f->tangent,
         .f0 = f->f0,
         .motion = f->motion,
+        .motion_z = f->motion_z,
         .previous_color = f->color,
         .environment = {ENVIRONMENT_WIDTH, ENVIRONMENT_HEIGHT, ENVIRONMENT_LEVELS, f->environment}};
     *frames = f;
     return LOBE_SSR_OK;
 }
 
+static lobe_ssr_result begin(const lobe_ssr_scene_options *options, lobe_ssr_frames **f) {
+    const lobe_ssr_result result = check_options(options);
+    if (result != LOBE_SSR_OK) return result;
+    *f = calloc(1, sizeof **f);
+    if (!*f) return lobe_ssr_fail_memory("frames");
+    (*f)->options = *options;
+    (*f)->threads = options->threads ? options->threads : omp_get_max_threads();
+    return LOBE_SSR_OK;
+}
+
+lobe_ssr_result lobe_ssr_frames_of_scene(const lobe_scene *scene, lobe_ssr_scene_options options,
+                                         lobe_ssr_frames **frames) {
+    *frames = NULL;
+    lobe_ssr_frames *f;
+    const lobe_ssr_result result = begin(&options, &f);
+    return result ? result : finish(f, lobe_ssr_moments_of_scene(f, scene), frames);
+}
+
+lobe_ssr_result lobe_ssr_frames_of_animation(const char *source, lobe_scene_options scene,
+                                             double seconds, lobe_ssr_scene_options options,
+                                             lobe_ssr_frames **frames) {
+    *frames = NULL;
+    lobe_ssr_frames *f;
+    const lobe_ssr_result result = begin(&options, &f);
+    return result ? result : finish(f, lobe_ssr_moments_of_file(f, source, scene, seconds), frames);
+}
+
 void lobe_ssr_frames_free(lobe_ssr_frames *f) {
     if (!f) return;
-    lobe_rays_free(f->rays);
+    lobe_ssr_moments_free(f);
     free(f->environment);
     free(f->z);
     free(f->normal);
@@ -108,6 +117,7 @@ void lobe_ssr_frames_free(lobe_ssr_frames *f) {
     free(f->color);
     free(f->tangent);
     free(f->anisotropy);
+    free(f->motion_z);
     free(f->previous_z);
     free(f);
 }
@@ -144,6 +154,22 @@ static v3 ray_through(const ssr_camera *c, float px, float py, float *length) {
     return ssr_unit(ssr_view_vector(*c, px, py, 1.0f), length);
 }
 
+/* What moves itself was elsewhere. Where that is not known it counts as new. */
+static void fill_motion(const scene_frame *s, int x, int y, const lobe_ray_surface *now) {
+    const lobe_ssr_frames *f = s->f;
+    const size_t i = (size_t)y * (size_t)f->options.width + (size_t)x;
+    const ssr_moment *before = lobe_ssr_moment_before(f);
+    lobe_vec3_f32 place;
+    if (!lobe_rays_find(before->rays, f->now.rays, &now->place, &place)) {
+        f->motion[2 * i] = 2.0f;
+        f->motion[2 * i + 1] = 0.0f;
+        if (f->motion_z) f->motion_z[i] = 0.0f;
+        return;
+    }
+    lobe_ssr_motion_of(&s->camera, &s->previous, x, y, ssr_in(place), f->motion + 2 * i);
+    if (f->motion_z) f->motion_z[i] = f->z[i] - ssr_project(s->previous, ssr_in(place)).z;
+}
+
 static void fill_pixel(const scene_frame *s, int x, int y) {
     lobe_ssr_frames *f = s->f;
     const size_t i = (size_t)y * (size_t)f->options.width + (size_t)x;
@@ -154,7 +180,8 @@ static void fill_pixel(const scene_frame *s, int x, int y) {
     memset(f->f0 + 3 * i, 0, 3 * sizeof *f->f0);
     memset(f->tangent + 3 * i, 0, 3 * sizeof *f->tangent);
     f->z[i] = f->roughness[i] = f->anisotropy[i] = 0.0f;
-    if (!lobe_rays_meet(f->rays, ssr_out(s->camera.eye), ssr_out(direction), &surface)) {
+    if (f->motion_z) f->motion_z[i] = 0.0f;
+    if (!lobe_rays_meet(f->now.rays, ssr_out(s->camera.eye), ssr_out(direction), &surface)) {
         const v3 far_away = v3_scale(direction, 1e6f * s->camera.near_z);
         lobe_ssr_motion_of(&s->camera, &s->previous, x, y, v3_add(s->camera.eye, far_away),
                            f->motion + 2 * i);
@@ -166,7 +193,7 @@ static void fill_pixel(const scene_frame *s, int x, int y) {
     f->anisotropy[i] = f->options.anisotropy <= 1.0f ? f->options.anisotropy : surface.anisotropy;
     memcpy(f->tangent + 3 * i, &surface.tangent, 3 * sizeof *f->tangent);
     memcpy(f->f0 + 3 * i, &surface.f0, 3 * sizeof *f->f0);
-    lobe_ssr_motion_of(&s->camera, &s->previous, x, y, ssr_in(surface.position), f->motion + 2 * i);
+    fill_motion(s, x, y, &surface);
 }
 
 /* Box-filtered, as engines have it. */
@@ -175,15 +202,15 @@ static void color_pixel(const scene_frame *s, int x, int y) {
     const lobe_ssr_scene_options *o = &f->options;
     const size_t i = (size_t)y * (size_t)o->width + (size_t)x;
     const uint64_t stream = (uint64_t)s->index << 32 | i;
+    const lobe_rays *rays = lobe_ssr_moment_before(f)->rays;
     v3 sum = v3_of(0.0f, 0.0f, 0.0f);
     for (uint32_t k = 0; k < o->samples; k++) {
         const lobe_random4 r = lobe_random(o->seed, stream, k);
         float length;
         const v3 direction = ray_through(&s->previous, (float)x + lobe_random_unit_f32(r.word[0]),
                                          (float)y + lobe_random_unit_f32(r.word[1]), &length);
-        sum = v3_add(sum,
-                     ssr_in(lobe_rays_light(f->rays, ssr_out(s->previous.eye), ssr_out(direction),
-                                            o->seed, stream, k, o->samples)));
+        sum = v3_add(sum, ssr_in(lobe_rays_light(rays, ssr_out(s->previous.eye), ssr_out(direction),
+                                                 o->seed, stream, k, o->samples)));
     }
     sum = v3_scale(sum, 1.0f / (float)o->samples);
     f->color[3 * i] = sum.x;
@@ -192,7 +219,7 @@ static void color_pixel(const scene_frame *s, int x, int y) {
     float length;
     const v3 direction = ray_through(&s->previous, (float)x + 0.5f, (float)y + 0.5f, &length);
     lobe_ray_surface surface;
-    const int met = lobe_rays_meet(f->rays, ssr_out(s->previous.eye), ssr_out(direction), &surface);
+    const int met = lobe_rays_meet(rays, ssr_out(s->previous.eye), ssr_out(direction), &surface);
     f->previous_z[i] = met ? surface.distance / length : 0.0f;
 }
 
@@ -208,6 +235,8 @@ lobe_ssr_result lobe_ssr_frames_get(lobe_ssr_frames *f, int index, lobe_ssr_fram
     if (index < 0 || index >= f->options.count)
         return lobe_ssr_fail(LOBE_SSR_BAD_INPUT, "frame %d: out of range; use 0 to %d", index,
                              f->options.count - 1);
+    const lobe_ssr_result result = lobe_ssr_moments_get(f, index);
+    if (result != LOBE_SSR_OK) return result;
     f->frame.camera = lobe_ssr_frame_camera(f, index);
     f->frame.previous_camera = lobe_ssr_previous_camera(f, index);
     const float width = (float)f->options.width, height = (float)f->options.height;

@@ -52,7 +52,7 @@ static int is_share(float x) {
 
 static lobe_ssr_result check_options(const lobe_ssr_options *o) {
     const lobe_model model = {LOBE_NDF_GGX, LOBE_MASKING_SMITH, o->method};
-    if ((unsigned)o->mode > LOBE_SSR_VNDF || (unsigned)o->resolve > LOBE_SSR_NEIGHBOURHOOD_RATIO ||
+    if ((unsigned)o->mode > LOBE_SSR_VNDF || (unsigned)o->resolve > LOBE_SSR_OWN ||
         (unsigned)o->backend > LOBE_SSR_AUTO || o->max_iterations < 1 ||
         o->max_iterations > 1000000 || !is_share(o->thickness) || !is_share(o->edge_fade) ||
         !is_share(o->fade_start) || !is_share(o->fade_end) || !is_share(o->accumulation) ||

@@ -110,7 +110,7 @@ static march march_of(const ssr_band *b, const ssr_camera *c) {
 
 /* Cells of a level: it covers the one below to its last row and column. */
 K_FN kint cells_of(march s, kint level) {
-    return ((s.last_x >> level) + 1) * ((s.last_y >> level) + 1);
+    return (k_down(s.last_x, level) + 1) * (k_down(s.last_y, level) + 1);
 }
 
 /* Where the next level starts: they lie behind one another. */
@@ -130,7 +130,7 @@ static void step_all(const march *shared, pool *p) {
         const ssr_march m = march_in(p, i);
         const bool goes = k_and(m.state == SSR_MARCH_GOES, p->n[STEPS][i] < s.most_steps);
         const kint x = ssr_march_x(r, m), y = ssr_march_y(r, m);
-        const kint last_x = s.last_x >> m.level, last_y = s.last_y >> m.level;
+        const kint last_x = k_down(s.last_x, m.level), last_y = k_down(s.last_y, m.level);
         const kint inside_x = x < last_x ? x : last_x, inside_y = y < last_y ? y : last_y;
         const kint start = p->n[START][i];
         const kint cell = start + inside_y * (last_x + 1) + inside_x;

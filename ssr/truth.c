@@ -21,7 +21,7 @@ static int real_pixel_at(const lobe_ssr_frames *f, const ssr_camera *c, int x, i
     if (!lobe_ssr_surface_at(c, &f->frame, x, y, &p->surface)) return 0;
     const v3 direction =
         ssr_unit(ssr_view_vector(*c, (float)x + 0.5f, (float)y + 0.5f, 1.0f), &length);
-    if (!lobe_rays_meet(f->rays, ssr_out(c->eye), ssr_out(direction), &met)) return 0;
+    if (!lobe_rays_meet(f->now.rays, ssr_out(c->eye), ssr_out(direction), &met)) return 0;
     p->geometric = ssr_in(met.geometric);
     const float height = 1e-4f * (met.distance + k_sqrt(v3_dot(c->eye, c->eye)));
     p->place = v3_add(ssr_in(met.position), v3_scale(p->geometric, height));
@@ -46,16 +46,18 @@ static int is_sky_seen(const ssr_camera *c, const float *z, v3 direction, v3 *at
 static v3 real_light(const lobe_ssr_frames *f, const ssr_camera *previous, const real_pixel *p,
                      v3 direction, uint64_t stream, int *screen) {
     lobe_ray_surface met;
-    v3 at;
-    const int meets = lobe_rays_meet(f->rays, ssr_out(p->place), ssr_out(direction), &met);
-    if (meets) at = ssr_project(*previous, ssr_in(met.position));
+    v3 at = v3_of(0.0f, 0.0f, 0.0f);
+    lobe_vec3_f32 was;
+    const int meets = lobe_rays_meet(f->now.rays, ssr_out(p->place), ssr_out(direction), &met);
+    if (meets && lobe_rays_find(lobe_ssr_moment_before(f)->rays, f->now.rays, &met.place, &was))
+        at = ssr_project(*previous, ssr_in(was));
     *screen = meets ? is_seen(previous, f->previous_z, at)
                     : is_sky_seen(previous, f->previous_z, direction, &at);
     if (*screen)
         return ssr_color_between(f->color, (int)previous->width, (int)previous->height,
                                  at.x / previous->width, at.y / previous->height);
-    if (!meets) return ssr_in(lobe_rays_environment(f->rays, ssr_out(direction)));
-    return ssr_in(lobe_rays_light(f->rays, ssr_out(p->place), ssr_out(direction),
+    if (!meets) return ssr_in(lobe_rays_environment(f->now.rays, ssr_out(direction)));
+    return ssr_in(lobe_rays_light(f->now.rays, ssr_out(p->place), ssr_out(direction),
                                   f->options.seed + 1, stream, 0, 1));
 }
 
@@ -146,7 +148,7 @@ static int verdict_of(const lobe_ssr_frames *f, const ssr_camera *c, const real_
     const int claims = ray->state == LOBE_SSR_HIT || ray->state == LOBE_SSR_SKY;
     lobe_ray_surface met;
     v3 at;
-    const int meets = lobe_rays_meet(f->rays, ssr_out(p->place), ray->direction, &met);
+    const int meets = lobe_rays_meet(f->now.rays, ssr_out(p->place), ray->direction, &met);
     if (meets) at = ssr_project(*c, ssr_in(met.position));
     const int seen = meets ? is_seen(c, f->z, at) : is_sky_seen(c, f->z, direction, &at);
     if (!claims) return seen ? 2 : 0;

@@ -2,6 +2,7 @@
 """dropin.py LANGUAGE KERNEL... [--title TEXT]: one file with everything that the kernels need.
 dropin.py pass FILE... [--define NAME=TEXT]...: shader texts of the tree, one after the other and after what they
 include, with the kernel's own words: a compute shader of GLSL 4.50.
+dropin.py hlsl-pass FILE... [--define NAME=TEXT]...: the same in HLSL, its buffers and its thread too.
 
 LANGUAGE is c, glsl or hlsl. What comes out is single precision in plain text of the language: no
 macros of the kernel language are left but its constants, and every name begins with `lobe_` (macros:
@@ -88,27 +89,66 @@ def plain(text, language):
     return re.sub(r"\bK_STRUCT\((\w+)\)", form, text)
 
 
-def flattened(paths, defines):
-    """Files of the tree after what they include, each once, without guards; GLSL 4.50, or HLSL by its binding."""
-    seen = set()
+def in_code(text, change):
+    """The text with its code changed and its comments left alone."""
+    parts = re.split(r"(/\*.*?\*/)", text, flags=re.S)
+    return "".join(part if part.startswith("/*") else change(part) for part in parts)
+
+
+BUFFER = re.compile(r"^layout\(std430, binding = (\d+)\) (readonly |writeonly |)buffer (\w+) \{\n"
+                    r"    (\w+) (\w+)(\[\])?;(.*)\n\};", re.M)
+THREAD = {r"^layout\(local_size_x = (\d+), local_size_y = (\d+)\) in;":
+          r"#define SSR_THREADS [numthreads(\1, \2, 1)]\nstatic uint3 ssr_thread;",
+          r"\bgl_GlobalInvocationID\b": "ssr_thread",
+          r"^void main\(\) \{": "SSR_THREADS void main(uint3 thread : SV_DispatchThreadID) {\n"
+                              "    ssr_thread = thread;"}
+
+
+def in_hlsl(text, single):
+    """A text of ssr/shaders in HLSL: buffers keep their numbers, as t where they are read only and else as u. `single`
+    gathers the buffers that hold one thing, by its name."""
+    def declared(match):
+        number, access, block, kind, name, many, about = match.groups()
+        form = ("StructuredBuffer", "t") if access == "readonly " else ("RWStructuredBuffer", "u")
+        if not many:
+            single[name] = f"{block}[0]"
+        return f"{form[0]}<{kind}> {name if many else block} : register({form[1]}{number});{about}"
+
+    text = BUFFER.sub(declared, text)
+    for form, word in THREAD.items():
+        text = re.sub(form, word, text, flags=re.M)
+    for name, element in single.items():
+        text = in_code(text, lambda code, form=rf"(?<![.\w]){name}\b", word=element: re.sub(form, word, code))
+    return text
+
+
+def flattened(paths, defines, language):
+    """Files of the tree after what they include, each once, without guards; GLSL 4.50, or HLSL."""
+    seen, single = set(), {}
 
     def whole(path):
         if path in seen:
             return ""
         seen.add(path)
 
-        def included(match):
-            beside = path.parent / match[1]
-            return whole((beside if beside.is_file() else ROOT / match[1]).resolve())
+        def included(name):
+            beside = path.parent / name
+            return whole((beside if beside.is_file() else ROOT / name).resolve())
 
         text = re.sub(r"^#ifndef (\w+_H)\n#define \1\n", "", path.read_text(), flags=re.M)
-        return INCLUDE.sub(included, re.sub(r"\n#endif\n\Z", "\n", text))
+        parts = INCLUDE.split(re.sub(r"\n#endif\n\Z", "\n", text))
+        if language == "hlsl":
+            parts[1::2] = [name.replace("bind/glsl.h", "bind/hlsl.h") for name in parts[1::2]]
+        for i in range(1, len(parts), 2):
+            parts[i] = included(parts[i])
+        if language == "hlsl" and path.parent.name == "shaders":
+            parts[0::2] = [in_hlsl(part, single) for part in parts[0::2]]
+        return "".join(parts)
 
     words = "".join(f"#define {name} {text}\n" for name, text in defines)
     text = words + "\n".join(whole((ROOT / path).resolve()) for path in paths)
     text = re.sub(r"^#ifdef GL_ES\n.*?\n#endif\n", "", text, flags=re.M | re.S)
-    version = "" if "hlsl" in paths[0] else "#version 450\n"
-    return version + re.sub(r"\n{3,}", "\n\n", settle(text))
+    return ("#version 450\n" if language == "glsl" else "") + re.sub(r"\n{3,}", "\n\n", settle(text))
 
 
 def defined(text):
@@ -129,9 +169,7 @@ def prefixed(text):
         return "lobe_" + word if word in names else word
 
     # comments keep the kernel's names: they speak of the mathematics
-    parts = re.split(r"(/\*.*?\*/)", text, flags=re.S)
-    code = [p if p.startswith("/*") else re.sub(r"\b[A-Za-z_]\w*\b", rename, p) for p in parts]
-    return "".join(code)
+    return in_code(text, lambda code: re.sub(r"\b[A-Za-z_]\w*\b", rename, code))
 
 
 INLINE = """/* Always: a state passed by value costs more than what is computed with it. */
@@ -189,15 +227,16 @@ def single_file(language, kernels, title):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("language", choices=[*sorted(BINDING), "pass"])
+    parser.add_argument("language", choices=[*sorted(BINDING), "pass", "hlsl-pass"])
     parser.add_argument("kernels", nargs="+", metavar="KERNEL", help="as ggx_bounded; of pass: files of the tree")
     parser.add_argument("--define", action="append", default=[], metavar="NAME=TEXT",
                         help="words before the files of pass")
     parser.add_argument("--title", default="", help="first line of the file's comment")
     arguments = parser.parse_args()
-    if arguments.language == "pass":
+    if arguments.language.endswith("pass"):
         defines = [definition.split("=", 1) for definition in arguments.define]
-        sys.stdout.write(flattened(arguments.kernels, defines))
+        language = "hlsl" if arguments.language == "hlsl-pass" else "glsl"
+        sys.stdout.write(flattened(arguments.kernels, defines, language))
         return
     title = arguments.title or " ".join(arguments.kernels)
     sys.stdout.write(single_file(arguments.language, arguments.kernels, title))

@@ -1,6 +1,6 @@
 #!/bin/bash
 # dropin.sh FOLDER: the samplers as single files to paste into a renderer: C, GLSL, HLSL; and as shaders that
-# run, GLSL 4.50 and SPIR-V for Vulkan 1.1: FOLDER/samplers and, the passes of `lobe ssr`, FOLDER/ssr.
+# run, GLSL 4.50 and SPIR-V for Vulkan 1.1: FOLDER/samplers and, the passes of `lobe ssr` in HLSL too, FOLDER/ssr.
 set -eu
 
 here=$(cd "$(dirname "$0")" && pwd)
@@ -17,6 +17,14 @@ make() {
         mv "$file.part" "$file"
         echo "$file"
     done
+}
+
+# pass NAME FILE... [--define WORD=TEXT...]: a shader, and NAME.hlsl
+pass() {
+    "$here/dropin.py" hlsl-pass "${@:2}" >"$out/$1.hlsl.part"
+    mv "$out/$1.hlsl.part" "$out/$1.hlsl"
+    echo "$out/$1.hlsl"
+    shader "$@"
 }
 
 # shader NAME FILE... [--define WORD=TEXT...]: NAME.comp; NAME.spv where there is a compiler
@@ -50,16 +58,16 @@ for kernel in $methods; do
         $(words ggx SAMPLE_BASE=_base SAMPLE_BASE_OF=_base_of SAMPLE_PAIR_OF_WO=_pair_of_wo SAMPLE_EVAL=_eval) \
         $(words "$kernel" SAMPLE_STATE= SAMPLE_PREPARE=_prepare SAMPLE_DRAW=_draw SAMPLE_PDF=_pdf)
     # shellcheck disable=SC2046
-    shader "ssr/trace_${kernel#ggx_}" ssr/shaders/common.glsl "kernel/$kernel.h" ssr/shaders/draw_lobe.glsl \
+    pass "ssr/trace_${kernel#ggx_}" ssr/shaders/common.glsl "kernel/$kernel.h" ssr/shaders/draw_lobe.glsl \
         ssr/shaders/trace.comp $(words "$kernel" SSR_STATE= SSR_PREPARE=_prepare SSR_SAMPLE=_draw)
 done
-shader ssr/trace_mirror ssr/shaders/draw_mirror.glsl ssr/shaders/trace.comp
-for pass in depth halve_depth halve_color reproject resolve accumulate keep_z composite; do
-    shader "ssr/$pass" "ssr/shaders/$pass.comp"
+pass ssr/trace_mirror ssr/shaders/draw_mirror.glsl ssr/shaders/trace.comp
+for name in depth halve_depth halve_color reproject resolve accumulate keep_z composite; do
+    pass "ssr/$name" "ssr/shaders/$name.comp"
 done
 
-# In HLSL the passes without what reads and writes: everything that a port calls.
-"$here/dropin.py" pass kernel/bind/hlsl.h ssr/passes/bind_shader.h ssr/passes/{accumulate,composite,pyramid,ray,resolve,trace}.h \
+# Without what reads and writes: everything that a port to other pictures calls.
+"$here/dropin.py" hlsl-pass kernel/bind/hlsl.h ssr/passes/bind_shader.h ssr/passes/{accumulate,composite,pyramid,ray,resolve,trace}.h \
     >"$out/ssr/passes.hlsl.part"
 mv "$out/ssr/passes.hlsl.part" "$out/ssr/passes.hlsl"
 echo "$out/ssr/passes.hlsl"

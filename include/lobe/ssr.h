@@ -67,10 +67,13 @@ typedef struct lobe_ssr_frame {
     /* Brushed surfaces: alpha = roughness^2 (1 + anisotropy) along the tangent, (1 - anisotropy) across it;
      * -1 to 1. The tangent: x, y, z in the world, any length, need not be across the normal. NULL: none. */
     const float *anisotropy, *tangent;
-    const float *f0;             /* r, g, b: reflectance at normal incidence; NULL: 1 */
-    const float *motion;         /* x, y: position on the screen, now minus before; NULL: none */
-    const float *previous_color; /* r, g, b of the frame before */
-    const unsigned char *mask;   /* 0: this pixel receives no reflection; NULL: all do */
+    const float *f0;     /* r, g, b: reflectance at normal incidence; NULL: 1 */
+    const float *motion; /* x, y: position on the screen, now minus before; NULL: none */
+    /* Distance of the surface along the axis of the camera now minus that along the axis of the camera before, where
+     * things move beside the camera; NULL: what follows from the cameras. */
+    const float *motion_z;
+    const float *previous_color;      /* r, g, b of the frame before */
+    const unsigned char *mask;        /* 0: this pixel receives no reflection; NULL: all do */
     lobe_ssr_environment environment; /* where nothing on the screen is met; rgb NULL: black */
     lobe_ssr_camera camera, previous_camera;
 } lobe_ssr_frame;
@@ -84,9 +87,10 @@ typedef enum lobe_ssr_mode {
 } lobe_ssr_mode;
 
 typedef enum lobe_ssr_resolve {
-    LOBE_SSR_APPROX,             /* one lookup in the colour pyramid, by roughness */
-    LOBE_SSR_NEIGHBOURHOOD,      /* 3 x 3 rays, weights of visible normals with D cancelled */
-    LOBE_SSR_NEIGHBOURHOOD_RATIO /* the same, value here over density there (Stachowiak 2015) */
+    LOBE_SSR_APPROX,              /* one lookup in the colour pyramid, by roughness */
+    LOBE_SSR_NEIGHBOURHOOD,       /* 3 x 3 rays, weights of visible normals with D cancelled */
+    LOBE_SSR_NEIGHBOURHOOD_RATIO, /* the same, value here over density there (Stachowiak 2015) */
+    LOBE_SSR_OWN                  /* none: what the pixel's own ray met, for comparison */
 } lobe_ssr_resolve;
 
 typedef enum lobe_ssr_backend {

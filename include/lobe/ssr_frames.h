@@ -1,12 +1,12 @@
-/* lobe/ssr_frames.h: frames for lobe/ssr.h, rendered from a scene along a path of the camera, and the truth
- * about their reflections by real rays.
+/* lobe/ssr_frames.h: frames for lobe/ssr.h, rendered from a scene along a path of the camera, at rest or in motion, and
+ * the truth about their reflections by real rays.
  *
  *     lobe_ssr_frames *frames = NULL;
  *     lobe_ssr_frames_of_scene(scene, lobe_ssr_scene_default_options(), &frames);
  *     for (int i = 0; lobe_ssr_frames_get(frames, i, &frame) == LOBE_SSR_OK; i++) ...
  *
- * The colour of the frame before is path-traced through the previous camera; of the first frame the previous
- * camera is its own. Near and far plane: a hundredth of, and a thousand times, the distance from the camera to
+ * The colour of the frame before is path-traced through the previous camera, in the scene of its moment; of the first frame
+ * the previous camera and moment are its own. Near and far plane: a hundredth of, and a thousand times, the distance from the camera to
  * its target, where a camera path does not say them. */
 #ifndef LOBE_SSR_FRAMES_H
 #define LOBE_SSR_FRAMES_H
@@ -56,6 +56,16 @@ typedef struct lobe_ssr_frames lobe_ssr_frames;
 LOBE_API lobe_ssr_result lobe_ssr_frames_of_scene(const lobe_scene *scene,
                                                   lobe_ssr_scene_options options,
                                                   lobe_ssr_frames **frames);
+
+/* The same of a scene in motion: frame k shows lobe_scene_load(source, scene) with scene.frame_time raised by k * seconds.
+ * Motion, colour, history and truth follow what is moved, turned, scaled, bent or seen by an animated camera; a path of
+ * the camera is about the view of the frame's moment, or of frame 0 where the file has no camera. Texts that `scene`
+ * points to must outlive *frames; warnings are those of the first frame. A source that is not animated is loaded once.
+ * LOBE_SSR_BAD_INPUT: frame_time or seconds is not finite. */
+LOBE_API lobe_ssr_result lobe_ssr_frames_of_animation(const char *source, lobe_scene_options scene,
+                                                      double seconds,
+                                                      lobe_ssr_scene_options options,
+                                                      lobe_ssr_frames **frames);
 LOBE_API void lobe_ssr_frames_free(lobe_ssr_frames *frames); /* NULL is fine */
 
 /* Frame `index`, in any order, best in the natural one. What *frame points to is valid until the next call. */

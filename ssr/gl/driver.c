@@ -19,7 +19,7 @@ static const unsigned char pixel_bytes[BUFFER_COUNT] = {
     [BUFFER_ANISOTROPY] = 4,  [BUFFER_TANGENT] = 12, [BUFFER_DRAWN] = 16,    [BUFFER_MET] = 16,
     [BUFFER_MOTION] = 8,      [BUFFER_FOUND] = 16,   [BUFFER_RESOLVED] = 16, [BUFFER_HISTORY] = 16,
     [BUFFER_REFLECTION] = 16, [BUFFER_LAST_Z] = 4,   [BUFFER_F0] = 12,       [BUFFER_RADIANCE] = 12,
-    [BUFFER_COMPOSITE] = 12};
+    [BUFFER_COMPOSITE] = 12,  [BUFFER_MOTION_Z] = 4};
 
 enum { LEVEL_STRIDE = 256 }; /* at which parts of a buffer may begin, on any driver */
 
@@ -37,7 +37,8 @@ static size_t bytes_of(const lobe_ssr *s, const gl_state *g, int buffer) {
 /* Buffers of a frame that may be left out are made when one first has them. */
 static int is_optional(int buffer) {
     return buffer == BUFFER_MASK || buffer == BUFFER_ANISOTROPY || buffer == BUFFER_TANGENT ||
-           buffer == BUFFER_MOTION || buffer == BUFFER_F0 || buffer == BUFFER_ENVIRONMENT;
+           buffer == BUFFER_MOTION || buffer == BUFFER_MOTION_Z || buffer == BUFFER_F0 ||
+           buffer == BUFFER_ENVIRONMENT;
 }
 
 static lobe_ssr_result make_buffer(gl_state *g, int buffer, size_t bytes) {
@@ -102,6 +103,7 @@ static lobe_ssr_result send_frame(const lobe_ssr *s, gl_state *g, const lobe_ssr
         {BUFFER_ANISOTROPY, f->tangent ? f->anisotropy : NULL, 4 * ssr_pixels(s)},
         {BUFFER_TANGENT, f->anisotropy ? f->tangent : NULL, 12 * ssr_pixels(s)},
         {BUFFER_MOTION, f->motion, 8 * ssr_pixels(s)},
+        {BUFFER_MOTION_Z, f->motion_z, 4 * ssr_pixels(s)},
         {BUFFER_COLOR, f->previous_color, 12 * ssr_pixels(s)},
         {BUFFER_F0, f->f0, 12 * ssr_pixels(s)},
         {BUFFER_ENVIRONMENT, e->rgb, 12 * texels},

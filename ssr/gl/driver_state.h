@@ -29,6 +29,7 @@ typedef enum gl_buffer {
     BUFFER_RADIANCE,
     BUFFER_COMPOSITE,
     BUFFER_LEVEL,
+    BUFFER_MOTION_Z,
     BUFFER_COUNT
 } gl_buffer;
 

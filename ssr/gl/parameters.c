@@ -44,6 +44,7 @@ void lobe_ssr_gl_set_frame(ssr_parameters *p, const lobe_ssr *s, const lobe_ssr_
     p->has_history = s->frame > 0;
     p->has_mask = f->mask != NULL;
     p->has_motion = f->motion != NULL;
+    p->has_motion_z = f->motion_z != NULL;
     p->has_f0 = f->f0 != NULL;
     p->has_tangent = f->anisotropy && f->tangent;
     p->environment_width = e->rgb ? e->width : 0;

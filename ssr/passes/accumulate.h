@@ -43,6 +43,12 @@ K_FN real ssr_expected_z(ssr_camera now, ssr_camera last, real px, real py, real
     return ssr_project(last, v3_add(now.eye, ssr_view_vector(now, px, py, z))).z;
 }
 
+/* The same where the surface moves itself; 0: not known. */
+K_FN real ssr_moved_z(real z, real motion_z) {
+    real was = z - motion_z;
+    return k_select(ssr_is_finite(was), was, R(0.0));
+}
+
 /* Holds what the pixels around have in common. */
 K_STRUCT(ssr_range) {
     ssr_reflected low;

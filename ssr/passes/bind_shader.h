@@ -20,6 +20,15 @@ K_FN kint k_whole(real x) {
     return kint(x);
 }
 
+/* x / 2^count, cut, and x 2^count, 0 <= x < 2^24, the result too. */
+K_FN kint k_down(kint x, kint count) {
+    return x >> count;
+}
+
+K_FN real k_up(kint x, kint count) {
+    return float(x << count);
+}
+
 /* a < b, and false if a is no number: by its bits, for the compilers of shaders turn conditions around as if
  * there were none such. */
 K_FN bool k_is_below(real a, real b) {

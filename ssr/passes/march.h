@@ -107,7 +107,7 @@ K_FN real ssr_march_length(ssr_ray r, ssr_march m) {
 K_FN kint ssr_march_cell(real origin, real direction, real q, real push, kint level) {
     real ahead = k_select(direction < R(0.0), -push, push);
     real at = k_max(origin + q * direction + ahead, R(0.0));
-    return k_whole(at) >> level;
+    return k_down(k_whole(at), level);
 }
 
 K_FN kint ssr_march_x(ssr_ray r, ssr_march m) {
@@ -133,8 +133,8 @@ K_FN ssr_slab ssr_slab_of(ssr_camera c, real thickness) {
 }
 
 K_FN real ssr_wall(real origin, real direction, real inverse, kint cell, kint level) {
-    kint edge = (cell + ssr_pick(direction > R(0.0), K_INT(1), K_INT(0))) << level;
-    return k_select(inverse < K_HUGE, (k_from_int(edge) - origin) * inverse, K_HUGE);
+    real edge = k_up(cell + ssr_pick(direction > R(0.0), K_INT(1), K_INT(0)), level);
+    return k_select(inverse < K_HUGE, (edge - origin) * inverse, K_HUGE);
 }
 
 /* One step through cell (x, y), whose greatest depth is `nearest` and whose least is `farthest`. */

@@ -28,6 +28,7 @@ K_STRUCT(ssr_parameters) {
     kint has_history;
     kint has_mask;
     kint has_motion;
+    kint has_motion_z;
     kint has_f0;
     kint has_tangent;
     kint environment_width;

@@ -10,6 +10,12 @@
 #define SSR_APPROX K_INT(0)
 #define SSR_NEIGHBOURHOOD K_INT(1)
 #define SSR_NEIGHBOURHOOD_RATIO K_INT(2)
+#define SSR_OWN K_INT(3)
+
+/* Without the neighbours. */
+K_FN bool ssr_is_alone(kint way) {
+    return k_or(way == SSR_APPROX, way == SSR_OWN);
+}
 
 /* The pixel that is resolved. */
 K_STRUCT(ssr_resolved) {

@@ -20,6 +20,9 @@ layout(std430, binding = 15) writeonly buffer reflection_block {
 layout(std430, binding = 16) readonly buffer last_z_block {
     real last_z[];
 };
+layout(std430, binding = 22) readonly buffer motion_z_block {
+    real motion_z[];
+};
 
 /* `at` in pixels. */
 ssr_reflected history_at(ssr_place at) {
@@ -57,6 +60,7 @@ ssr_place place_before(kint pixel, out bool seen) {
     seen = k_is(p.has_history) && z > 0.0 && ssr_on_screen(p.last, at.x, at.y);
     if (!seen) return at;
     real expected = ssr_expected_z(p.now, p.last, x, y, z);
+    if (k_is(p.has_motion_z)) expected = ssr_moved_z(z, motion_z[pixel]);
     real there = last_z[pixel_at(k_to_int(k_floor(at.x)), k_to_int(k_floor(at.y)))];
     seen = expected > 0.0 && ssr_is_same_surface(expected, there);
     return at;

@@ -43,7 +43,7 @@ void main() {
     ssr_surface surface = surface_at(own_x(), own_y());
     if (!k_is(surface.seen)) return;
     ssr_sum sum;
-    if (p.way == SSR_APPROX) sum = ssr_add_ray(ssr_no_sum(), found[pixel], 1.0);
+    if (ssr_is_alone(p.way)) sum = ssr_add_ray(ssr_no_sum(), found[pixel], 1.0);
     else sum = gather(ssr_resolved_of(surface));
     real fade = ssr_roughness_fade(roughness_of_pixel[pixel], p.fade_start, p.fade_end);
     resolved[pixel] = ssr_mean_of(sum, fade);

@@ -1,4 +1,5 @@
 """lobe ssr from outside: files, statistics, errors. tests/ssr proves the passes themselves."""
+import base64
 import json
 import os
 import re
@@ -20,6 +21,9 @@ BAD_VALUES = {
     "--frames": ["0", "10001", "x"],
     "--camera-path": ["around", ""],
     "--camera": ["nobody"],
+    "--frame-time": ["nan", "", "now"],
+    "--frame-rate": ["0", "-1", "nan", "1e7"],
+    "--animation": ["", "Walk"],
     "--spp": ["0", "16777217"],
     "--roughness": ["-0.1", "1.1", "nan"],
     "--anisotropy": ["-1.1", "1.1", "nan"],
@@ -161,7 +165,7 @@ class SsrTest(ProgramTest):
     def test_modes_methods_and_resolves(self):
         for arguments, method in ((["--mode", "mirror", "--resolve", "approx"], "mirror"),
                                   (["--mode", "ndf", "--resolve", "neighbourhood"], "ndf"),
-                                  (["--method", "slope"], "slope"),
+                                  (["--method", "slope", "--resolve", "own"], "slope"),
                                   (["--method", "horizon", "--as-hdrp", "--linear"], "horizon")):
             stats = self.ssr(*arguments, *ROUGH, "--no-sky")
             self.assertEqual(stats["method"], method)
@@ -218,6 +222,58 @@ class SsrTest(ProgramTest):
         self.rejected("ssr", str(self.folder), "-o", str(self.folder / "out"))
         self.rejected("ssr", "gallery", "-o", str(self.folder / "x"), "--write-gbuffer",
                       str(self.folder / "x"), where="--write-gbuffer")
+
+    def moving(self):
+        """A mirror that goes to the right by 1 in a second."""
+        numbers = struct.pack("<9f2f6f", -1, -1, -3, 1, -1, -3, 0, 1, -3, 0, 1, 0, 0, 0, 1, 0, 0)
+        views = [(0, 36), (36, 8), (44, 24)]
+        path = self.folder / "moving.gltf"
+        path.write_text(json.dumps({
+            "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 1]}],
+            "nodes": [{"mesh": 0}, {"camera": 0}],
+            "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "material": 0}]}],
+            "materials": [{"pbrMetallicRoughness": {"roughnessFactor": 0}}],
+            "cameras": [{"type": "perspective", "perspective": {"yfov": 1, "znear": 0.1}}],
+            "animations": [{"name": "go", "channels": [
+                {"sampler": 0, "target": {"node": 0, "path": "translation"}}],
+                "samplers": [{"input": 1, "output": 2}]}],
+            "accessors": [{"bufferView": i, "componentType": 5126, "type": "SCALAR" if i == 1 else "VEC3",
+                           "count": 3 if i == 0 else 2} for i in range(3)],
+            "bufferViews": [{"buffer": 0, "byteOffset": at, "byteLength": size} for at, size in views],
+            "buffers": [{"byteLength": len(numbers), "uri": "data:application/octet-stream;base64,"
+                         + base64.b64encode(numbers).decode()}]}))
+        return str(path)
+
+    def test_objects_in_motion(self):
+        """Each frame shows its moment; the frames that were written give the same bits; a kept truth knows its moment."""
+        scene, folder = self.moving(), self.folder / "out"
+        options = ["-o", str(folder), "--size", "48x27", "--spp", "1", "--frames", "3", "--camera-path", "still"]
+        timed = [*options, "--frame-time", "0.25", "--frame-rate", "4"]
+        buffer = str(self.folder / "gbuffer")
+        self.done("ssr", scene, *timed, "--truth", "--truth-rays", "1", "--write-gbuffer", buffer)
+        frames = [(folder / f"frame-000{i}.exr").read_bytes() for i in range(3)]
+        pictures = [(folder / f"frame-000{i}.png").read_bytes() for i in range(3)]
+        self.assertEqual(len(set(pictures)), 3)
+        self.assertIn(b"motion.Z", Path(buffer, "gbuffer-0001.exr").read_bytes())
+        self.done("ssr", scene, *timed)
+        self.done("ssr", buffer, "-o", str(self.folder / "again"))
+        for i in range(3):
+            self.assertEqual((folder / f"frame-000{i}.exr").read_bytes(),
+                             (self.folder / f"again/frame-000{i}.exr").read_bytes())
+        kept = (folder / "truth-0001.exr").read_bytes()
+        self.done("ssr", scene, *timed, "--truth", "--truth-rays", "1")
+        self.assertEqual([(folder / f"frame-000{i}.exr").read_bytes() for i in range(3)], frames)
+        self.done("ssr", scene, *options, "--frame-time", "0.5", "--frame-rate", "4", "--animation", "go",
+                  "--truth", "--truth-rays", "1")
+        self.assertEqual((folder / "frame-0000.png").read_bytes(), pictures[1])
+        self.assertNotEqual((folder / "truth-0001.exr").read_bytes(), kept)
+        result = run("ssr", scene, *options)
+        self.assertRegex(result.stderr, rb"is animated; [ -~]*--frame-time")
+        self.rejected("ssr", scene, *options, "--frame-rate", "4", where="--frame-rate")
+        self.rejected("ssr", scene, *options, "--animation", "go", where="--animation")
+        self.rejected("ssr", scene, *timed, "--animation", "stay", where=scene)
+        self.rejected("ssr", scene, *options, "--frame-time", "0", "--frame-rate", "0", where="--frame-rate")
+        self.rejected("ssr", buffer, *options[:2], "--frame-time", "0", where="--frame-time")
 
     def test_one_pixel(self):
         folder = str(self.folder / "one")

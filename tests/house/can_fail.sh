@@ -161,6 +161,17 @@ loop() {
     ar rcs "$tree/a.a" "$tree/batch_sse41_f32.c.o"
 }
 
+# pass BODY: an archive with a pass of lobe_ssr that is one loop of that body.
+pass() {
+    mkdir -p "$tree"
+    echo "float f(float); void lobe_ssr_keep_z_sse41(float *x, int n);
+        void lobe_ssr_keep_z_sse41(float *x, int n) { for (int i = 0; i < n; ++i) { float y; $1 } }" \
+        >"$tree/accumulate.c"
+    gcc -O3 -fno-math-errno -fno-trapping-math -c "$tree/accumulate.c" -o "$tree/accumulate.c.o"
+    rm -f "$tree/a.a"
+    ar rcs "$tree/a.a" "$tree/accumulate.c.o"
+}
+
 vectors() {
     local check=("$tools/check_vectors.sh" "$tree/a.a")
     [ "$(uname -m)" = x86_64 ] || return 0
@@ -171,6 +182,10 @@ vectors() {
     expect_fail "calls a function" "${check[@]}"
     library 'int lobe_a(void) { return 0; }'
     expect_fail "0 loops" "${check[@]}"
+    pass 'y = x[i] * x[i] + x[i]; y = y * y - x[i]; y = y * x[i] + 1; x[i] = y * y;'
+    expect_pass "${check[@]}"
+    pass 'y = x[i] * x[i] + x[i]; y = y * y - x[i]; y = y * x[i] + 1; x[i] = f(y * y);'
+    expect_fail "has a scalar loop" "${check[@]}"
 }
 
 "$1"

@@ -42,6 +42,24 @@ grep -q lobe_ggx_bounded_draw "$scratch/lines.glsl"
     echo 'void main() {}'; } >"$scratch/e.comp"
 shader "$scratch/e.comp" -I"$scratch"
 
+# layout SPV: threads, and the number of each buffer that is used: a line each, sorted.
+layout() {
+    spirv-dis "$1" | sed -nE 's/.*(LocalSize .*)/\1/p; s/.* (Binding [0-9]+)/\1/p' | sort
+}
+
+# The passes in HLSL are whole shaders: valid, of the threads and the buffers of those in GLSL.
+passes=0
+for file in "$scratch"/ssr/*.hlsl; do
+    name=${file%.hlsl}
+    [ "$name" = "$scratch/ssr/passes" ] && continue
+    glslangValidator --quiet --target-env vulkan1.1 -S comp -e main -D -o "$scratch/hlsl.spv" "$file"
+    spirv-val --target-env vulkan1.1 "$scratch/hlsl.spv"
+    glslangValidator --quiet --target-env vulkan1.1 -S comp -Od -o "$scratch/glsl.spv" "$name.comp"
+    comm -23 <(layout "$scratch/hlsl.spv") <(layout "$scratch/glsl.spv") | grep . && exit 1
+    grep -q 'LocalSize 8 8 1' <(layout "$scratch/hlsl.spv")
+    passes=$((passes + 1))
+done
+
 # What runs as it is: the compiler has made SPIR-V of all of it.
 { cat "$scratch/ssr/passes.hlsl"; echo '[numthreads(1, 1, 1)] void main() {}'; } >"$scratch/d.hlsl"
 shader "$scratch/d.hlsl" -D
@@ -54,5 +72,5 @@ done
 gcc -O2 -ffp-contract=off -I"$scratch" -I"$tree/include" "$tree/tests/house/dropin.c" \
     "$LOBE_BUILD_DIR/liblobe.a" -lm -o "$scratch/dropin"
 "$scratch/dropin"
-echo "dropin: $count kernels in three languages, $programs shaders"
-[ $count -gt 0 ] && [ $programs -gt 30 ]
+echo "dropin: $count kernels in three languages, $programs shaders, $passes passes in HLSL"
+[ $count -gt 0 ] && [ $programs -gt 30 ] && [ $passes -gt 18 ]

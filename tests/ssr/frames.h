@@ -17,7 +17,7 @@
 
 typedef struct made_frame {
     int width, height;
-    float *z, *normal, *roughness, *color, *motion;
+    float *z, *normal, *roughness, *color, *motion, *motion_z; /* motion_z: of no frame at first */
     lobe_ssr_frame frame;
 } made_frame;
 
@@ -29,7 +29,8 @@ static inline made_frame make_frame(int width, int height, float degrees) {
     m.roughness = calloc(count, sizeof(float));
     m.color = calloc(3 * count, sizeof(float));
     m.motion = calloc(2 * count, sizeof(float));
-    assert_true(m.z && m.normal && m.roughness && m.color && m.motion);
+    m.motion_z = calloc(count, sizeof(float));
+    assert_true(m.z && m.normal && m.roughness && m.color && m.motion && m.motion_z);
     m.frame = (lobe_ssr_frame){.z = m.z,
                                .normal = m.normal,
                                .roughness = m.roughness,
@@ -48,6 +49,7 @@ static inline void free_frame(made_frame *m) {
     free(m->roughness);
     free(m->color);
     free(m->motion);
+    free(m->motion_z);
 }
 
 static inline float unit_random(uint64_t stream, uint64_t counter) {
@@ -120,8 +122,10 @@ static inline float odd_number(uint64_t stream, uint64_t i) {
 
 static inline void fill_with_odd_numbers(made_frame *m, uint64_t stream) {
     const size_t count = (size_t)m->width * (size_t)m->height;
+    m->frame.motion_z = m->motion_z;
     for (size_t i = 0; i < count; i++) {
         m->z[i] = odd_number(stream, i);
+        m->motion_z[i] = odd_number(stream + 5, i);
         m->roughness[i] = 0.3f * odd_number(stream + 1, i);
         for (size_t k = 0; k < 3; k++) {
             m->normal[3 * i + k] = odd_number(stream + 2, 3 * i + k) - 1.0f;

@@ -66,7 +66,8 @@ static void fill(float *values, size_t count, uint64_t stream) {
 /* Everything that a frame can have. */
 typedef struct full_frame {
     made_frame made;
-    float f0[3 * COUNT], tangent[3 * COUNT], anisotropy[COUNT], light[3 * 8 * 4 * 2];
+    float f0[3 * COUNT], tangent[3 * COUNT], anisotropy[COUNT], motion_z[COUNT],
+        light[3 * 8 * 4 * 2];
     unsigned char mask[COUNT];
 } full_frame;
 
@@ -81,9 +82,11 @@ static void make_full(full_frame *f, uint64_t stream) {
     fill(f->f0, 3 * COUNT, stream + 5);
     fill(f->tangent, 3 * COUNT, stream + 6);
     fill(f->anisotropy, COUNT, stream + 7);
+    fill(f->motion_z, COUNT, stream + 10);
     fill(f->light, sizeof f->light / sizeof *f->light, 8);
     for (size_t i = 0; i < COUNT; i++) f->mask[i] = unit_random(stream + 9, i) < 0.9f;
     frame->f0 = f->f0;
+    frame->motion_z = f->motion_z;
     frame->tangent = f->tangent;
     frame->anisotropy = f->anisotropy;
     frame->mask = f->mask;
@@ -119,6 +122,7 @@ static void same_bits_come_back(void **state) {
         assert_memory_equal(a->roughness, b.roughness, COUNT * sizeof(float));
         assert_memory_equal(a->f0, b.f0, 3 * COUNT * sizeof(float));
         assert_memory_equal(a->motion, b.motion, 2 * COUNT * sizeof(float));
+        assert_memory_equal(a->motion_z, b.motion_z, COUNT * sizeof(float));
         assert_memory_equal(a->previous_color, b.previous_color, 3 * COUNT * sizeof(float));
         assert_memory_equal(a->tangent, b.tangent, 3 * COUNT * sizeof(float));
         assert_memory_equal(a->anisotropy, b.anisotropy, COUNT * sizeof(float));
@@ -178,6 +182,7 @@ static void colours_and_motion_follow_from_the_rest(void **state) {
         assert_true(fabsf(f.motion[2 * i + 1]) < 1e-6f);
     }
     assert_null(f.f0);
+    assert_null(f.motion_z);
     assert_null(f.mask);
     assert_null(f.environment.rgb);
     lobe_ssr_folder_free(folder);

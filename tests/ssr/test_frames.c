@@ -13,6 +13,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "lobe/random.h"
 #include "lobe/ssr_frames.h"
 #include "lobe/ssr_picture.h"
 
@@ -238,6 +239,29 @@ static void a_picture_comes_back_from_its_file(void **state) {
     assert_non_null(strstr(lobe_ssr_error_message(), "/nowhere/x.png: "));
 }
 
+/* Some zeros and then noise, of any length after compression: that of the pixels too, which says that there is none. */
+static void pictures_of_any_compressed_length_come_back(void **state) {
+    (void)state;
+    enum { W = 32, H = 12, ROUNDS = 450 };
+    static const char *const names[] = {"Z"};
+    float in[W * H], z[W * H], *const values[] = {z};
+    char path[64];
+    snprintf(path, sizeof path, "/tmp/lobe-ssr-%ld.exr", (long)getpid());
+    for (int round = 0; round < ROUNDS; round++) {
+        for (int i = 0; i < W * H; i++) {
+            const uint32_t word =
+                lobe_random(3, (uint64_t)round, (uint64_t)i).word[0] & 0xbfffffffu;
+            memcpy(&in[i], &word, sizeof word);
+            if (i < 10 + round % 15) in[i] = 0.0f;
+        }
+        const lobe_ssr_channel channel = {"Z", in, 1};
+        assert_int_equal(lobe_ssr_write_exr(path, W, H, &channel, 1, NULL), LOBE_SSR_OK);
+        assert_true(lobe_ssr_read_exr(path, W, H, names, 1, NULL, values));
+        if (memcmp(in, z, sizeof in) != 0) fail_msg("round %d", round);
+    }
+    unlink(path);
+}
+
 static void bad_requests_are_refused(void **state) {
     (void)state;
     lobe_scene *scene = load("furnace");
@@ -265,12 +289,14 @@ static void bad_requests_are_refused(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(depth_and_normals_are_those_of_a_render),
-                                       cmocka_unit_test(motion_leads_to_where_a_surface_was),
-                                       cmocka_unit_test(motion_is_that_of_a_render),
-                                       cmocka_unit_test(truth_is_white_in_a_furnace),
-                                       cmocka_unit_test(mirrors_of_a_room_hold_against_real_rays),
-                                       cmocka_unit_test(a_picture_comes_back_from_its_file),
-                                       cmocka_unit_test(bad_requests_are_refused)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(depth_and_normals_are_those_of_a_render),
+        cmocka_unit_test(motion_leads_to_where_a_surface_was),
+        cmocka_unit_test(motion_is_that_of_a_render),
+        cmocka_unit_test(truth_is_white_in_a_furnace),
+        cmocka_unit_test(mirrors_of_a_room_hold_against_real_rays),
+        cmocka_unit_test(a_picture_comes_back_from_its_file),
+        cmocka_unit_test(pictures_of_any_compressed_length_come_back),
+        cmocka_unit_test(bad_requests_are_refused)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -173,6 +173,7 @@ static varied_frame make_varied(void) {
         m->roughness[i] = unit_random(1, i);
         m->motion[2 * i] = 0.03f * signed_random(2, i);
         m->motion[2 * i + 1] = 0.03f * signed_random(3, i);
+        m->motion_z[i] = 0.1f * m->z[i] * signed_random(11, i);
         v.anisotropy[i] = signed_random(4, i);
         v.mask[i] = unit_random(5, i) < 0.95f;
         for (size_t k = 0; k < 3; k++) {
@@ -245,15 +246,18 @@ static void every_way_agrees(void **state) {
     o.bias = 0.5f;
     o.resolve = LOBE_SSR_APPROX;
     compare(&v, o, "approx");
+    o.resolve = LOBE_SSR_OWN;
+    compare(&v, o, "own");
     o.resolve = LOBE_SSR_NEIGHBOURHOOD;
     o.reflect_sky = 0;
     compare(&v, o, "neighbourhood");
     o.as_hdrp = 1;
     compare(&v, o, "as hdrp");
+    v.made.frame.motion_z = v.made.motion_z;
     o.as_hdrp = 0;
     o.linear_march = 1;
     o.max_iterations = 1000;
-    compare(&v, o, "linear");
+    compare(&v, o, "linear, objects in motion");
     free_varied(&v);
 }
 
@@ -264,7 +268,7 @@ static void broken_frames_agree(void **state) {
     for (size_t k = 0; k < sizeof sizes / sizeof *sizes; k++) {
         made_frame m = make_frame(sizes[k][0], sizes[k][1], 60.0f);
         lobe_ssr_options o = whole_options();
-        o.resolve = (lobe_ssr_resolve)(k % 3);
+        o.resolve = (lobe_ssr_resolve)(k % 4);
         both b = open_both(&m, o);
         differences d = {0};
         for (uint64_t frame = 0; frame < 3; frame++) {

@@ -52,7 +52,7 @@ static void any_number_of_threads_gives_the_same_bits(void **state) {
     free_frame(&m);
 }
 
-enum { WAYS = 7 };
+enum { WAYS = 8 };
 
 /* Every loop of the passes runs in one of these. */
 static lobe_ssr_options way_at(int way) {
@@ -60,7 +60,9 @@ static lobe_ssr_options way_at(int way) {
     o.fade_start = 0.2f;
     o.fade_end = 1.0f;
     o.mode = way == 1 ? LOBE_SSR_MIRROR : way == 2 ? LOBE_SSR_NDF : LOBE_SSR_VNDF;
-    o.resolve = way == 3 ? LOBE_SSR_APPROX : way == 4 ? LOBE_SSR_NEIGHBOURHOOD : o.resolve;
+    if (way == 3) o.resolve = LOBE_SSR_APPROX;
+    if (way == 4) o.resolve = LOBE_SSR_NEIGHBOURHOOD;
+    if (way == 7) o.resolve = LOBE_SSR_OWN;
     o.as_hdrp = way == 5;
     o.linear_march = way == 6;
     return o;
@@ -83,6 +85,9 @@ static void compare_with_plainest(const char *isa, int way, const float *environ
     for (size_t i = 0; i < 3 * WIDTH * HEIGHT; i++) good.color[i] = unit_random(9, i);
     for (size_t i = 0; i < 2 * WIDTH * HEIGHT; i++)
         good.motion[i] = 0.02f * unit_random(10, i) - 0.01f;
+    for (size_t i = 0; i < WIDTH * HEIGHT; i++)
+        good.motion_z[i] = 0.2f * good.z[i] * (unit_random(12, i) - 0.5f);
+    if (way % 2) good.frame.motion_z = good.motion_z;
     fill_with_odd_numbers(&broken, 20);
     good.frame.environment = broken.frame.environment =
         (lobe_ssr_environment){5, 4, 3, environment};

@@ -18,7 +18,7 @@ static void constant_light_stays_constant(void **state) {
     const float white[3] = {1.0f, 1.0f, 1.0f};
     made_frame m = make_room(64, 36, 0.6f);
     m.frame.environment = (lobe_ssr_environment){1, 1, 1, white};
-    for (int resolve = 0; resolve < 3; resolve++)
+    for (int resolve = 0; resolve <= LOBE_SSR_OWN; resolve++)
         for (int row = 0; row < lobe_model_count(); row++) {
             const lobe_model model = lobe_model_at(row);
             if (model.ndf != LOBE_NDF_GGX || model.masking != LOBE_MASKING_SMITH) continue;
