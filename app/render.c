@@ -36,7 +36,7 @@ typedef struct render_values {
     uint32_t aovs;
     lobe_model model; /* of ndf, masking and method */
     int method, progress;
-    bool list_scenes, json, keep_seconds;
+    bool list_scenes, json, keep_seconds, adaptive;
 } render_values;
 
 /* One of the pictures of a call. */
@@ -93,6 +93,9 @@ static const lobe_app_option picture_options[] = {
     {"--noise", "LEVEL", "none",
      "stop when the estimated relative standard error of the pixels is at most this, as 0.05",
      lobe_app_read_f64, AT(noise), NULL},
+    {"--adaptive", NULL, NULL,
+     "more samples where noise is, --spp in the mean; 64 or more (docs/adaptive.md)", NULL,
+     AT(adaptive), NULL},
     {"--aov", "LIST", "none", "more channels for .exr, with commas between:" AOV_NAMES, read_aovs,
      AT(aovs), NULL},
     {"--method", "NAME", "by surface, else the best for the model", "how to sample reflection",
@@ -204,6 +207,7 @@ static lobe_render_options render_options(const render_values *v, const picture 
     r.progress = show_progress;
     r.progress_user = run;
     r.noise = v->noise;
+    r.is_adaptive = v->adaptive;
     r.checkpoint = picture->checkpoint;
     r.checkpoint_seconds = v->checkpoint_every;
     r.resume = picture->resume;
@@ -508,6 +512,9 @@ static lobe_app_status check_part(const render_values *v) {
     if (v->noise > 0)
         return lobe_app_reject("--noise", "leave out one of the two",
                                "a --part does not know the noise of the others");
+    if (v->adaptive)
+        return lobe_app_reject("--adaptive", "leave out one of the two",
+                               "a --part does not know the noise of the others");
     if (v->out && !ends_with(v->out, ".exr"))
         return lobe_app_reject(v->out, "end the name with .exr, or give --checkpoint",
                                "cannot say which pixels --part has rendered");
@@ -554,6 +561,9 @@ static lobe_app_status check(const render_values *v, const lobe_app_arguments *a
         return lobe_app_reject("--spp", "use 1 to 16777216", "too many samples");
     if (v->time_limit < 0) return lobe_app_reject("--time", "give seconds", "a negative time");
     if (v->noise < 0) return lobe_app_reject("--noise", "give 0.05 or so", "a negative noise");
+    if (v->adaptive && v->spp < 64)
+        return lobe_app_reject("--adaptive", "use --spp 64 or more",
+                               "too few samples to tell noise by");
     lobe_app_status status = lobe_app_check_view(&v->view);
     if (!status) status = check_sequence(v);
     if (!status) status = check_part(v);

@@ -86,6 +86,7 @@ static void add_metal(char *text, const lobe_metal *m) {
 static void add_options(char *text, const lobe_render_options *o) {
     static const char *const multiscatters[] = {"none", "kulla-conty", "turquin", "walk"};
     const lobe_reflection_options *r = &o->reflection;
+    if (o->is_adaptive) add_line(text, "adaptive yes\n");
     add_line(text, "size %dx%d\nspp %u\ndepth %d\nroulette %d\n", o->width, o->height, o->samples,
              o->depth, o->roulette_depth);
     if (o->aperture > 0.0f)

@@ -8,6 +8,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "adaptive.h"
 #include "camera_rays.h"
 #include "crew.h"
 #include "exr_film.h"
@@ -101,7 +102,8 @@ static film_sample render_sample(const job *j, int x, int y, sampler points, uin
     if (o->aovs & LOBE_AOV_BIT(LOBE_AOV_MOTION))
         lobe_camera_motion(&j->camera, &j->previous, origin, direction, sample.depth,
                            sample.motion);
-    sample.is_first_half = lobe_film_is_first_half(points.index);
+    sample.is_first_half = o->is_adaptive ? !(points.index & ADAPTIVE_HALF_BLOCK)
+                                          : lobe_film_is_first_half(points.index);
     return sample;
 }
 
@@ -113,9 +115,9 @@ static void render_tile(const void *user, const unit *u, lobe_film *tile, uint64
     const int left = (int)u->tile % across * TILE, top = (int)u->tile / across * TILE;
     for (int y = 0; y < TILE && top + y < o->height; y++)
         for (int x = 0; x < TILE && left + x < o->width; x++) {
-            sampler points = {
-                .key = lobe_sampler_key(o->seed, (uint32_t)(left + x), (uint32_t)(top + y)),
-                .index_bits = lobe_sampler_index_bits(o->samples)};
+            sampler points = {.key = lobe_sampler_round_key(o->seed, (uint32_t)(left + x),
+                                                            (uint32_t)(top + y), u->round),
+                              .index_bits = lobe_sampler_index_bits(u->of)};
             for (uint32_t i = u->first; i < u->first + u->count; i++) {
                 points.index = i;
                 const film_sample sample = render_sample(j, left + x, top + y, points, rays);
@@ -208,9 +210,13 @@ static lobe_render_result check_options(const lobe_render_options *o) {
     if (o->part < 1 || o->part > o->parts)
         return lobe_fail(LOBE_RENDER_BAD_INPUT, "part: there is no part %u of %u; use 1 to %u",
                          o->part, o->parts, o->parts);
-    if (o->parts > 1 && o->noise > 0.0)
+    if (o->parts > 1 && (o->noise > 0.0 || o->is_adaptive))
         return lobe_fail(LOBE_RENDER_BAD_INPUT,
                          "part: a part does not know the noise of the others; leave one out");
+    if (o->is_adaptive && o->samples < ADAPTIVE_SAMPLES_MIN)
+        return lobe_fail(LOBE_RENDER_BAD_INPUT,
+                         "samples: %u are too few to tell noise by; use %d or more", o->samples,
+                         ADAPTIVE_SAMPLES_MIN);
     const lobe_model model = o->reflection.model;
     if (o->multiscatter == LOBE_MULTISCATTER_WALK &&
         (model.masking != LOBE_MASKING_SMITH || o->reflection.g2 != LOBE_G2_CORRELATED))
@@ -327,7 +333,8 @@ static lobe_render_result open_film(crew *c, const job *j, const char *identity)
         if (result == LOBE_RENDER_OK) result = check_resumed(c->film, o, identity);
     } else {
         c->film = lobe_film_create(o->width, o->height, o->aovs);
-        if (!c->film) result = lobe_fail_memory("film");
+        if (!c->film || (o->is_adaptive && !lobe_adaptive_begin(c->film, o->samples)))
+            result = lobe_fail_memory("film");
     }
     if (result == LOBE_RENDER_OK && !describe(c->film, j, identity))
         result = lobe_fail_memory("film");
@@ -450,9 +457,11 @@ lobe_render_result lobe_render(const lobe_scene *scene, lobe_render_options opti
 /* ---- What need not be rendered again --------------------------------------------------------- */
 
 static int has_all_samples(const lobe_film *film, const lobe_render_options *o) {
-    if (film->aovs != o->aovs || film->width != o->width || film->height != o->height) return 0;
+    if (film->aovs != o->aovs || film->width != o->width || film->height != o->height ||
+        (film->weights != NULL) != o->is_adaptive)
+        return 0;
     for (size_t i = 0; i < (size_t)film->width * (size_t)film->height; i++)
-        if (film->pixels[i].samples != (is_in_part(o, i) ? o->samples : 0)) return 0;
+        if (lobe_film_weight(film, i) != (is_in_part(o, i) ? (double)o->samples : 0.0)) return 0;
     return 1;
 }
 

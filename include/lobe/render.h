@@ -315,6 +315,9 @@ typedef struct lobe_render_options {
                                   and is `checkpoint` too, start. NULL: start */
     double noise; /* stop at the end of a pass when lobe_render_statistics.noise is at most this;
                                   0: never; default 0 */
+    /* 1: `samples`, at least 64, are a mean over the picture, and more of them go where noise is; the expectation of
+     * every pixel stays what it is. Needs all parts. A pixel's own number is known only in the end. Default 0. */
+    int is_adaptive;
     uint32_t part,
         parts; /* render tiles part, part + parts, … only, for lobe_film_merge; default 1, 1 */
     lobe_warning_function
