@@ -33,6 +33,7 @@ typedef struct render_values {
     uint64_t spp, orbit;    /* orbit: 0: none */
     picture_part part;
     double checkpoint_every, noise, time_limit;
+    double footprint; /* negative: by --spp */
     uint32_t aovs;
     lobe_model model; /* of ndf, masking and method */
     int method, progress;
@@ -96,6 +97,9 @@ static const lobe_app_option picture_options[] = {
     {"--adaptive", NULL, NULL,
      "more samples where noise is, --spp in the mean; 64 or more (docs/adaptive.md)", NULL,
      AT(adaptive), NULL},
+    {"--footprint", "SHARE", "1/sqrt(spp), at least 1/8",
+     "over how much of a pixel textures are averaged, as a width; 0: texels as they are",
+     lobe_app_read_f64, AT(footprint), NULL},
     {"--aov", "LIST", "none", "more channels for .exr, with commas between:" AOV_NAMES, read_aovs,
      AT(aovs), NULL},
     {"--method", "NAME", "by surface, else the best for the model", "how to sample reflection",
@@ -143,6 +147,7 @@ static render_values default_values(void) {
     return (render_values){.view = lobe_app_default_view(),
                            .spp = r.samples,
                            .method = LOBE_METHOD_COUNT,
+                           .footprint = r.footprint,
                            .part = {r.part, r.parts},
                            .checkpoint_every = r.checkpoint_seconds};
 }
@@ -207,6 +212,7 @@ static lobe_render_options render_options(const render_values *v, const picture 
     r.progress = show_progress;
     r.progress_user = run;
     r.noise = v->noise;
+    r.footprint = (float)v->footprint;
     r.is_adaptive = v->adaptive;
     r.checkpoint = picture->checkpoint;
     r.checkpoint_seconds = v->checkpoint_every;
@@ -561,6 +567,8 @@ static lobe_app_status check(const render_values *v, const lobe_app_arguments *a
         return lobe_app_reject("--spp", "use 1 to 16777216", "too many samples");
     if (v->time_limit < 0) return lobe_app_reject("--time", "give seconds", "a negative time");
     if (v->noise < 0) return lobe_app_reject("--noise", "give 0.05 or so", "a negative noise");
+    if (lobe_app_is_given(arguments, "--footprint") && !(v->footprint >= 0 && v->footprint <= 1000))
+        return lobe_app_reject("--footprint", "use 0 to 1000 pixels", "out of range");
     if (v->adaptive && v->spp < 64)
         return lobe_app_reject("--adaptive", "use --spp 64 or more",
                                "too few samples to tell noise by");

@@ -48,6 +48,7 @@ lobe_render_options lobe_render_default_options(void) {
                                  .samples = 64,
                                  .depth = 8,
                                  .roulette_depth = 5,
+                                 .footprint = -1.0f,
                                  .heuristic = LOBE_HEURISTIC_BALANCE,
                                  .checkpoint_seconds = 60.0,
                                  .part = 1,
@@ -165,6 +166,11 @@ static void aim(job *j) {
     j->previous =
         o->previous_view ? lobe_camera_rays(o->previous_view, o->width, o->height) : j->camera;
     if (o->aperture > 0.0f) lobe_camera_add_lens(&j->camera, o->aperture, o->focus);
+    integrator *k = &j->integrator;
+    const float few = maxf(1.0f / sqrtf((float)o->samples), 0.125f);
+    k->share = o->footprint >= 0.0f ? o->footprint : few;
+    k->axis = j->camera.forward;
+    k->pixel_angle = k->share * 2.0f * v3_length(j->camera.up) / (float)o->height;
 }
 
 const char *lobe_render_method_name(lobe_method method) {
@@ -232,7 +238,8 @@ static lobe_render_result check_options(const lobe_render_options *o) {
         !(o->reflection.floor >= 0.0 && o->reflection.floor <= 1.0) ||
         (unsigned)o->heuristic >= 4u || (o->view && !is_view(o->view)) ||
         (o->previous_view && !is_view(o->previous_view)) || !is_lens(o) ||
-        !(o->time_limit >= 0.0) || !(o->noise >= 0.0) || !(o->checkpoint_seconds >= 0.0))
+        !(o->footprint <= 1000.0f) || !(o->time_limit >= 0.0) || !(o->noise >= 0.0) ||
+        !(o->checkpoint_seconds >= 0.0))
         return lobe_fail(LOBE_RENDER_BAD_INPUT,
                          "options: a value is out of range; see lobe/render.h");
     return LOBE_RENDER_OK;
@@ -406,7 +413,7 @@ static lobe_render_result render_with(const coat_table *const *coats, const lobe
         options->depth,
         options->roulette_depth,
         (options->aovs & LOBE_AOV_BIT(LOBE_AOV_VNDF_INTEGRAL)) != 0,
-        log};
+        .log = log};
     char identity[IDENTITY_ROOM] = "";
     lobe_render_result result = find_view(scene, options, &j.view);
     if (result == LOBE_RENDER_OK) {

@@ -328,12 +328,27 @@ static void fill_info(lobe_scene *s) {
                              s->triangle_count * sizeof *s->triangles +
                              s->instance_count * sizeof *s->instances;
     for (uint32_t i = 0; i < s->texture_count; i++)
-        s->info.texture_bytes += (uint64_t)s->textures[i].channels *
-                                 (uint64_t)s->textures[i].width * (uint64_t)s->textures[i].height;
+        s->info.texture_bytes += lobe_texture_bytes(&s->textures[i]);
     s->info.low = s->low;
     s->info.high = s->high;
     s->info.lamps = s->lamp_count;
     s->info.tree_bytes = lobe_tracer_bytes(s->tracer, &s->info.tree_peak_bytes);
+}
+
+enum { AVERAGED_MAPS_MAX = 7 };
+
+/* The textures that are averaged over a footprint. Not those of directions: the mean of normals is another surface. Nor the
+ * colour of what is cut out by its alpha: what is not there has a colour too. */
+static int averaged_maps(const material *m, const texture_map *maps[AVERAGED_MAPS_MAX]) {
+    const texture_map *const all[] = {&m->surface_map,      &m->emission_map,
+                                      &m->transmission_map, &m->specular_color_map,
+                                      &m->clearcoat_map,    &m->clearcoat_roughness_map,
+                                      &m->base_map};
+    const int last = m->alpha_mode == ALPHA_OPAQUE;
+    int count = 0;
+    for (int i = 0; i < AVERAGED_MAPS_MAX - !last; i++)
+        if (all[i]->texture != NO_TEXTURE) maps[count++] = all[i];
+    return count;
 }
 
 void lobe_material_settle(material *m) {
@@ -342,6 +357,20 @@ void lobe_material_settle(material *m) {
                        m->stretch > 0.0f || m->clearcoat > 0.0f;
     m->is_matte = m->metallic == 0.0f && m->specular == 0.0f && m->transmission == 0.0f &&
                   m->clearcoat == 0.0f;
+    const texture_map *maps[AVERAGED_MAPS_MAX];
+    m->is_averaged = averaged_maps(m, maps) > 0;
+}
+
+static int add_levels(lobe_scene *s) {
+    const texture_map *maps[AVERAGED_MAPS_MAX];
+    for (uint32_t i = 0; i < s->material_count; i++) {
+        const int count = averaged_maps(&s->materials[i], maps);
+        for (int k = 0; k < count; k++)
+            if (maps[k]->levels != LEVELS_NONE &&
+                !lobe_texture_add_levels(&s->textures[maps[k]->texture]))
+                return 0;
+    }
+    return 1;
 }
 
 static int has_anisotropy(const lobe_scene *s) {
@@ -412,6 +441,7 @@ static lobe_render_result finish(lobe_scene *s, const lobe_scene_options *option
     if (result != LOBE_RENDER_OK) return result;
     s->has_anisotropy = has_anisotropy(s);
     for (uint32_t i = 0; i < s->material_count; i++) lobe_material_settle(&s->materials[i]);
+    if (!add_levels(s)) return lobe_fail_memory(s->name);
     if (s->warnings.failed) return LOBE_RENDER_BAD_INPUT;
     fill_info(s);
     return LOBE_RENDER_OK;

@@ -39,6 +39,7 @@ typedef struct material {
     coat_tint tint;    /* where no texture varies it */
     int has_direction; /* it looks different when it is turned about its normal: it needs a tangent */
     int is_matte;      /* a base without a coat, and nothing else */
+    int is_averaged;   /* it has a texture of which means over a footprint are taken */
 } material;
 
 typedef struct vertex {

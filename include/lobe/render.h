@@ -301,6 +301,10 @@ typedef struct lobe_render_options {
      * lobe_scene_focus of the view, and LOBE_RENDER_BAD_INPUT if nothing is there. */
     float focus;
 
+    /* Over how much of a pixel textures are averaged, as a width: 1 is all of it, 0 takes texels as they are; at most 1000.
+     * Negative, the default: 1 / sqrt(samples), at least 1/8, so that more samples make a sharper picture. */
+    float footprint;
+
     lobe_heuristic heuristic; /* default LOBE_HEURISTIC_BALANCE */
     uint32_t aovs;            /* LOBE_AOV_BIT(…) of the extra channels to keep; default 0 */
     lobe_progress_function progress; /* NULL: none */

@@ -231,7 +231,7 @@ static void interrupt_anywhere(const lobe_scene *scene, lobe_render_options o) {
         lobe_film_free(film);
         assert_true(runs < 1000);
     }
-    assert_true(runs > 5);
+    assert_true(runs > 2);
     lobe_film_free(whole);
 }
 
@@ -240,7 +240,7 @@ static void interrupted_anywhere_the_bits_are_the_same(void **state) {
     lobe_scene *scene = load("gallery");
     lobe_render_options o = small(50, 35, 37);
     interrupt_anywhere(scene, o);
-    o.samples = 80;
+    o.samples = 160;
     o.is_adaptive = 1;
     interrupt_anywhere(scene, o);
     o.samples = 1000;
