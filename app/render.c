@@ -36,7 +36,7 @@ typedef struct render_values {
     double footprint; /* negative: by --spp */
     uint32_t aovs;
     lobe_model model; /* of ndf, masking and method */
-    int method, progress;
+    int method, progress, lights;
     bool list_scenes, json, keep_seconds, adaptive;
 } render_values;
 
@@ -84,6 +84,8 @@ static bool read_aovs(const lobe_app_option *option, const char *text, void *val
 
 #define AT(member) offsetof(render_values, member)
 
+static const char *const light_choices[] = {"auto", "power", "tree", NULL};
+
 static const lobe_app_option picture_options[] = {
     {"-o", "FILE", NULL, "the picture: .exr, .png, .hdr or .pfm", lobe_app_read_name, AT(out),
      NULL},
@@ -100,6 +102,10 @@ static const lobe_app_option picture_options[] = {
     {"--footprint", "SHARE", "1/sqrt(spp), at least 1/8",
      "over how much of a pixel textures are averaged, as a width; 0: texels as they are",
      lobe_app_read_f64, AT(footprint), NULL},
+    {"--lights", "HOW", "auto",
+     "how one of many lamps and glowing triangles is chosen: power, tree, or auto, a tree from 33 "
+     "on",
+     lobe_app_read_choice, AT(lights), light_choices},
     {"--aov", "LIST", "none", "more channels for .exr, with commas between:" AOV_NAMES, read_aovs,
      AT(aovs), NULL},
     {"--method", "NAME", "by surface, else the best for the model", "how to sample reflection",
@@ -212,6 +218,7 @@ static lobe_render_options render_options(const render_values *v, const picture 
     r.progress = show_progress;
     r.progress_user = run;
     r.noise = v->noise;
+    r.light_choice = (lobe_light_choice)v->lights;
     r.footprint = (float)v->footprint;
     r.is_adaptive = v->adaptive;
     r.checkpoint = picture->checkpoint;

@@ -25,6 +25,7 @@ typedef struct path {
     vec3 origin, direction, throughput;
     vec3
         place; /* on the surface where the path was last: what lies in a solid is measured from it */
+    vec3 facing;  /* the surface's normal there; 0: it is lit from both sides */
     float pdf;    /* of `direction`; a point mass: infinite */
     cone cone;    /* of `direction` */
     float spread; /* by which refraction has shrunk radiance so far: what returns on leaving */
@@ -282,11 +283,49 @@ static float sky_probability(const lobe_scene *s) {
     return sky ? (lamps ? 0.5f : 1.0f) : 0.0f;
 }
 
-static float lamp_pdf(const lobe_scene *s, const hit_point *h, vec3 direction) {
-    int32_t light = h->triangle->light;
-    if (light < 0 || !s->light_table.cells) return 0.0f;
-    float share = s->light_table.shares[light] * (1.0f - sky_probability(s));
-    float cosine = fabsf(v3_dot(h->geometric, direction));
+/* Probability of choosing a light where the path was last. */
+static float light_share(const path *p, uint32_t light) {
+    const lobe_scene *s = p->k->scene;
+    if (!p->k->has_light_tree) return s->light_table.shares[light];
+    return (1.0f - s->far_share) *
+           lobe_light_tree_probability(&s->light_tree, p->place, p->facing, light);
+}
+
+/* One of the lamps that shine from infinitely far, by power. */
+static uint32_t choose_far(const lobe_scene *s, float u, float *probability) {
+    uint32_t chosen = LIGHT_NOWHERE;
+    float sum = 0.0f;
+    for (uint32_t i = 0; i < s->lamp_count && (chosen == LIGHT_NOWHERE || sum <= u); i++) {
+        const float share = s->light_table.shares[s->light_count + i];
+        if (s->lamps[i].kind != LAMP_DIRECTIONAL || share == 0.0f) continue;
+        sum += share;
+        chosen = s->light_count + i;
+        *probability = share;
+    }
+    return chosen;
+}
+
+static uint32_t choose_light(const path *p, uint32_t bits, float *probability) {
+    const lobe_scene *s = p->k->scene;
+    if (!p->k->has_light_tree) {
+        const uint32_t light = alias_draw(&s->light_table, bits);
+        *probability = s->light_table.shares[light];
+        return light;
+    }
+    const double u = (double)bits * 0x1p-32, far = (double)s->far_share;
+    if (u < far || far == 1.0) return choose_far(s, (float)u, probability);
+    const uint32_t light = lobe_light_tree_draw(&s->light_tree, p->place, p->facing,
+                                                (u - far) / (1.0 - far), probability);
+    *probability *= 1.0f - s->far_share;
+    return light;
+}
+
+static float lamp_pdf(const path *p, const hit_point *h) {
+    const lobe_scene *s = p->k->scene;
+    const int32_t light = h->triangle->light;
+    if (p->is_camera || light < 0 || !s->light_table.cells) return 0.0f;
+    float share = light_share(p, (uint32_t)light) * (1.0f - sky_probability(s));
+    float cosine = fabsf(v3_dot(h->geometric, p->direction));
     return share * h->distance * h->distance / maxf(s->light_areas[light] * cosine, 1e-20f);
 }
 
@@ -369,9 +408,10 @@ static light_sample shine(const lamp *l, vec3 from) {
     return d;
 }
 
-static light_sample draw_lamp(const lobe_scene *s, vec3 from, sampler_point point) {
-    const uint32_t light = alias_draw(&s->light_table, point.bits[1]);
-    const float probability = s->light_table.shares[light];
+static light_sample draw_lamp(const path *p, vec3 from, sampler_point point) {
+    const lobe_scene *s = p->k->scene;
+    float probability = 0.0f;
+    const uint32_t light = choose_light(p, point.bits[1], &probability);
     if (light >= s->light_count) {
         light_sample l = shine(&s->lamps[light - s->light_count], from);
         l.pdf = probability;
@@ -392,13 +432,14 @@ static light_sample draw_lamp(const lobe_scene *s, vec3 from, sampler_point poin
     return l;
 }
 
-static light_sample draw_light(const lobe_scene *s, vec3 from, sampler_point point) {
+static light_sample draw_light(const path *p, vec3 from, sampler_point point) {
+    const lobe_scene *s = p->k->scene;
     float sky = sky_probability(s);
     if (sampler_unit(point.bits[0]) < sky) {
         const sky_draw d = lobe_environment_draw(&s->sky, point.bits + 1);
         return (light_sample){d.direction, d.radiance, INFINITY, d.pdf * sky, 0};
     }
-    light_sample l = draw_lamp(s, from, point);
+    light_sample l = draw_lamp(p, from, point);
     l.pdf *= 1.0f - sky;
     return l;
 }
@@ -439,7 +480,7 @@ static void add_drawn_light(path *p, const hit_point *h, const surface *surface,
     if (lobe_surface_is_clear(surface)) return;
     if (!s->light_table.cells && sky_probability(s) == 0.0f) return;
     vec3 from = lift(h, 0);
-    light_sample l = draw_light(s, from, point);
+    light_sample l = draw_light(p, from, point);
     if (!(l.pdf > 0.0f)) return;
     float pdf;
     vec3 value = lobe_surface_value(surface, l.direction, &pdf);
@@ -474,7 +515,6 @@ static void keep_first_hit(path *p, const hit_point *h, const surface *surface) 
 static void go_on(path *p, const hit_point *h, const surface *surface, vec3 direction) {
     int is_through = goes_through(h, surface, direction);
     p->origin = lift(h, is_through);
-    p->place = h->position;
     p->direction = direction;
     p->is_camera = 0;
     if (!is_through || !is_solid(h->material)) return;
@@ -549,10 +589,12 @@ film_sample lobe_trace_path(const integrator *k, vec3 origin, vec3 direction, sa
         if (!p.inside && h.is_back && is_solid(h.material)) p.inside = h.material;
         if (p.inside)
             p.throughput = absorbed(p.inside, p.throughput, v3_length(v3_sub(h.position, p.place)));
-        add_met_light(&p, h.emission, lamp_pdf(k->scene, &h, p.direction));
+        add_met_light(&p, h.emission, lamp_pdf(&p, &h));
         surface_of(&p, &h, v3_neg(p.direction), &s, &room);
         if (scatterings == 0) keep_first_hit(&p, &h, &s);
         if (scatterings == k->depth || h.material->is_unlit) break;
+        p.place = h.position;
+        p.facing = s.glass ? v3_all(0.0f) : h.geometric;
         add_drawn_light(&p, &h, &s, light);
         if (!scatter(&p, &h, &s, scatterings + 1)) break;
     }

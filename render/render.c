@@ -39,6 +39,12 @@ const char *lobe_heuristic_name(lobe_heuristic heuristic) {
     return (unsigned)heuristic < 4u ? heuristics[heuristic].name : NULL;
 }
 
+static const char *const light_choices[] = {"auto", "power", "tree"};
+
+const char *lobe_light_choice_name(lobe_light_choice choice) {
+    return (unsigned)choice < 3u ? light_choices[choice] : NULL;
+}
+
 lobe_render_options lobe_render_default_options(void) {
     lobe_reflection_options reflection = lobe_reflection_default_options();
     reflection.model.method = LOBE_METHOD_COUNT; /* by surface: render/material.c */
@@ -236,10 +242,10 @@ static lobe_render_result check_options(const lobe_render_options *o) {
                          "lobe/render.h");
     if (!is_offered(model) || (unsigned)o->multiscatter > LOBE_MULTISCATTER_WALK ||
         !(o->reflection.floor >= 0.0 && o->reflection.floor <= 1.0) ||
-        (unsigned)o->heuristic >= 4u || (o->view && !is_view(o->view)) ||
-        (o->previous_view && !is_view(o->previous_view)) || !is_lens(o) ||
-        !(o->footprint <= 1000.0f) || !(o->time_limit >= 0.0) || !(o->noise >= 0.0) ||
-        !(o->checkpoint_seconds >= 0.0))
+        (unsigned)o->heuristic >= 4u || (unsigned)o->light_choice >= 3u ||
+        (o->view && !is_view(o->view)) || (o->previous_view && !is_view(o->previous_view)) ||
+        !is_lens(o) || !(o->footprint <= 1000.0f) || !(o->time_limit >= 0.0) ||
+        !(o->noise >= 0.0) || !(o->checkpoint_seconds >= 0.0))
         return lobe_fail(LOBE_RENDER_BAD_INPUT,
                          "options: a value is out of range; see lobe/render.h");
     return LOBE_RENDER_OK;
@@ -396,6 +402,13 @@ static lobe_render_result lead(crew *c, lobe_film **film, lobe_render_statistics
     return c->is_cancelled ? LOBE_RENDER_INTERRUPTED : LOBE_RENDER_OK;
 }
 
+/* With few lights, what the tree costs is more than what it gains. */
+static int has_light_tree(const lobe_scene *s, lobe_light_choice choice) {
+    enum { FEW = 15 };
+    if (choice != LOBE_LIGHTS_AUTOMATIC) return choice == LOBE_LIGHTS_TREE;
+    return s->light_count + s->lamp_count > FEW;
+}
+
 static lobe_render_result render_with(const coat_table *const *coats, const lobe_scene *scene,
                                       lobe_render_options *options, ray_log *log, lobe_film **film,
                                       lobe_render_statistics *statistics) {
@@ -413,6 +426,7 @@ static lobe_render_result render_with(const coat_table *const *coats, const lobe
         options->depth,
         options->roulette_depth,
         (options->aovs & LOBE_AOV_BIT(LOBE_AOV_VNDF_INTEGRAL)) != 0,
+        .has_light_tree = has_light_tree(scene, options->light_choice),
         .log = log};
     char identity[IDENTITY_ROOM] = "";
     lobe_render_result result = find_view(scene, options, &j.view);

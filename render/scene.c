@@ -156,6 +156,7 @@ void lobe_scene_free(lobe_scene *s) {
     for (uint32_t i = 0; i < s->texture_count; i++) lobe_texture_free(&s->textures[i]);
     if (s->has_sky) lobe_environment_free(&s->sky);
     lobe_alias_free(&s->light_table);
+    lobe_light_tree_free(&s->light_tree);
     lobe_inventory_free(&s->inventory);
     free(s->vertices);
     free(s->triangles);
@@ -201,7 +202,46 @@ static size_t count_lights(const lobe_scene *s) {
     return count;
 }
 
-/* Lights are chosen by power. */
+static light_bounds bounds_of_triangle(const lobe_scene *s, const triangle *t) {
+    const vec3 a = s->vertices[t->vertex[0]].position, b = s->vertices[t->vertex[1]].position,
+               c = s->vertices[t->vertex[2]].position;
+    const vec3 normal = v3_cross(v3_sub(b, a), v3_sub(c, a));
+    return (light_bounds){
+        .low = v3(minf(a.x, minf(b.x, c.x)), minf(a.y, minf(b.y, c.y)), minf(a.z, minf(b.z, c.z))),
+        .high = v3(maxf(a.x, maxf(b.x, c.x)), maxf(a.y, maxf(b.y, c.y)), maxf(a.z, maxf(b.z, c.z))),
+        .axis = v3_normalize_or(normal, v3(0.0f, 1.0f, 0.0f)),
+        .beyond = 0.5f * LOBE_PI,
+        .two_sided = 1};
+}
+
+static light_bounds bounds_of_lamp(const lamp *l) {
+    const int is_spot = l->kind == LAMP_SPOT;
+    return (light_bounds){.low = l->position,
+                          .high = l->position,
+                          .axis = v3_normalize_or(l->direction, v3(0.0f, 1.0f, 0.0f)),
+                          .spread = is_spot ? 0.0f : LOBE_PI,
+                          .beyond =
+                              is_spot ? acosf(clampf(l->cos_outer, -1.0f, 1.0f)) : 0.5f * LOBE_PI};
+}
+
+/* 0: no memory. */
+static int plant_light_tree(lobe_scene *s) {
+    const uint32_t count = s->light_count + s->lamp_count;
+    if (!s->light_table.shares) return 1;
+    light_bounds *lights = malloc(((size_t)count + 1) * sizeof *lights);
+    for (uint32_t i = 0; lights && i < count; i++) {
+        const lamp *l = i < s->light_count ? NULL : &s->lamps[i - s->light_count];
+        lights[i] = l ? bounds_of_lamp(l) : bounds_of_triangle(s, &s->triangles[s->lights[i]]);
+        const int is_far = l && l->kind == LAMP_DIRECTIONAL;
+        if (is_far) s->far_share += s->light_table.shares[i];
+        lights[i].power = is_far ? 0.0f : s->light_table.shares[i];
+    }
+    const int is_good = lights && lobe_light_tree_create(&s->light_tree, lights, count);
+    free(lights);
+    if (!s->light_tree.nodes) s->far_share = 1.0f;
+    return is_good;
+}
+
 static int collect_lights(lobe_scene *s) {
     const size_t count = count_lights(s);
     s->lights = malloc((count + 1) * sizeof *s->lights);
@@ -222,7 +262,8 @@ static int collect_lights(lobe_scene *s) {
     }
     for (uint32_t i = 0; ok && i < s->lamp_count; i++)
         powers[s->light_count + i] = fmin(power_of_lamp(s, &s->lamps[i]), POWER_MAX);
-    ok = ok && lobe_alias_create(&s->light_table, powers, s->light_count + s->lamp_count);
+    ok = ok && lobe_alias_create(&s->light_table, powers, s->light_count + s->lamp_count) &&
+         plant_light_tree(s);
     free(powers);
     return ok;
 }

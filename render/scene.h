@@ -4,6 +4,7 @@
 
 #include "affine.h"
 #include "environment.h"
+#include "light_tree.h"
 #include "material.h"
 #include "lobe/render.h"
 #include "message.h"
@@ -102,6 +103,8 @@ struct lobe_scene {
     float *light_areas;
     uint32_t light_count;
     alias_table light_table; /* of them, then of the lamps */
+    light_tree light_tree;   /* of the same, but for directional lamps: */
+    float far_share;         /* their part of all power */
     int is_opaque;           /* every triangle */
     environment sky;
     int has_sky;

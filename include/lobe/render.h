@@ -276,6 +276,16 @@ LOBE_API const char *lobe_metal_name(size_t index);
 /* reflection.model.method may be LOBE_METHOD_COUNT, the default: by surface. Of Smith-GGX dielectrics and metals
  * of an alpha below 0.1 then take bounded caps and other metals horizon sampling, uniform where the shading
  * normal is tilted by 10 degrees or more; any other distribution takes its best method. */
+/* How a lamp or an emissive triangle is chosen to light a place. */
+typedef enum lobe_light_choice {
+    LOBE_LIGHTS_AUTOMATIC, /* by power where there are at most 15, else by the tree */
+    LOBE_LIGHTS_POWER,
+    LOBE_LIGHTS_TREE /* by what they may send to the place: their power, distance and direction */
+} lobe_light_choice;
+
+/* "auto", "power", "tree"; NULL out of range. */
+LOBE_API const char *lobe_light_choice_name(lobe_light_choice choice);
+
 typedef struct lobe_render_options {
     lobe_reflection_options reflection; /* default Smith-GGX by LOBE_METHOD_COUNT; floor 0.25 */
     lobe_multiscatter multiscatter;     /* WALK: Smith, correlated only; default NONE */
@@ -305,8 +315,9 @@ typedef struct lobe_render_options {
      * Negative, the default: 1 / sqrt(samples), at least 1/8, so that more samples make a sharper picture. */
     float footprint;
 
-    lobe_heuristic heuristic; /* default LOBE_HEURISTIC_BALANCE */
-    uint32_t aovs;            /* LOBE_AOV_BIT(…) of the extra channels to keep; default 0 */
+    lobe_light_choice light_choice; /* default LOBE_LIGHTS_AUTOMATIC */
+    lobe_heuristic heuristic;       /* default LOBE_HEURISTIC_BALANCE */
+    uint32_t aovs;                  /* LOBE_AOV_BIT(…) of the extra channels to keep; default 0 */
     lobe_progress_function progress; /* NULL: none */
     void *progress_user;
     const volatile sig_atomic_t *cancel; /* not NULL: rendering ends soon after *cancel != 0 */
