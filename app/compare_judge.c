@@ -79,6 +79,9 @@ static void show_progress(void *user, const lobe_render_progress *p) {
 }
 
 /* A picture of options `o`; *rgb is NULL unless it is whole. */
+/* Of textures: the same for all numbers of samples, so that all pictures have one expectation. */
+static const float even_footprint = 0.125f;
+
 static lobe_app_status render_picture(work *w, lobe_render_options o, float **rgb,
                                       lobe_app_measurement *measured) {
     lobe_film *film = NULL;
@@ -110,6 +113,7 @@ static lobe_app_status render_reference(work *w) {
     o.reflection.normalization = LOBE_NORMALIZATION_UNBIASED;
     o.heuristic = LOBE_HEURISTIC_BALANCE;
     o.samples = w->c->reference_spp / 2;
+    o.footprint = even_footprint;
     for (int k = 0; k < 2; k++) {
         /* no seed of a picture lies there */
         o.seed = w->judge->view.seed + (UINT64_C(1) << 40) + (uint64_t)k;
@@ -133,6 +137,7 @@ static lobe_app_status read_reference(work *w) {
 static lobe_render_options contender_options(const work *w, int contender) {
     const lobe_app_contender *k = &w->c->contender[contender];
     lobe_render_options o = lobe_app_view_render_options(&w->judge->view);
+    o.footprint = even_footprint;
     o.reflection.model = k->model;
     o.reflection.floor = k->floor;
     o.reflection.normalization = k->normalization;

@@ -33,10 +33,11 @@ typedef struct render_values {
     uint64_t spp, orbit;    /* orbit: 0: none */
     picture_part part;
     double checkpoint_every, noise, time_limit;
+    double footprint; /* negative: by --spp */
     uint32_t aovs;
     lobe_model model; /* of ndf, masking and method */
-    int method, progress;
-    bool list_scenes, json, keep_seconds;
+    int method, progress, lights;
+    bool list_scenes, json, keep_seconds, adaptive;
 } render_values;
 
 /* One of the pictures of a call. */
@@ -83,6 +84,8 @@ static bool read_aovs(const lobe_app_option *option, const char *text, void *val
 
 #define AT(member) offsetof(render_values, member)
 
+static const char *const light_choices[] = {"auto", "power", "tree", NULL};
+
 static const lobe_app_option picture_options[] = {
     {"-o", "FILE", NULL, "the picture: .exr, .png, .hdr or .pfm", lobe_app_read_name, AT(out),
      NULL},
@@ -93,6 +96,16 @@ static const lobe_app_option picture_options[] = {
     {"--noise", "LEVEL", "none",
      "stop when the estimated relative standard error of the pixels is at most this, as 0.05",
      lobe_app_read_f64, AT(noise), NULL},
+    {"--adaptive", NULL, NULL,
+     "more samples where noise is, --spp in the mean; 64 or more (docs/adaptive.md)", NULL,
+     AT(adaptive), NULL},
+    {"--footprint", "SHARE", "1/sqrt(spp), at least 1/8",
+     "over how much of a pixel textures are averaged, as a width; 0: texels as they are",
+     lobe_app_read_f64, AT(footprint), NULL},
+    {"--lights", "HOW", "auto",
+     "how one of many lamps and glowing triangles is chosen: power, tree, or auto, a tree from 33 "
+     "on",
+     lobe_app_read_choice, AT(lights), light_choices},
     {"--aov", "LIST", "none", "more channels for .exr, with commas between:" AOV_NAMES, read_aovs,
      AT(aovs), NULL},
     {"--method", "NAME", "by surface, else the best for the model", "how to sample reflection",
@@ -140,6 +153,7 @@ static render_values default_values(void) {
     return (render_values){.view = lobe_app_default_view(),
                            .spp = r.samples,
                            .method = LOBE_METHOD_COUNT,
+                           .footprint = r.footprint,
                            .part = {r.part, r.parts},
                            .checkpoint_every = r.checkpoint_seconds};
 }
@@ -204,6 +218,9 @@ static lobe_render_options render_options(const render_values *v, const picture 
     r.progress = show_progress;
     r.progress_user = run;
     r.noise = v->noise;
+    r.light_choice = (lobe_light_choice)v->lights;
+    r.footprint = (float)v->footprint;
+    r.is_adaptive = v->adaptive;
     r.checkpoint = picture->checkpoint;
     r.checkpoint_seconds = v->checkpoint_every;
     r.resume = picture->resume;
@@ -508,6 +525,9 @@ static lobe_app_status check_part(const render_values *v) {
     if (v->noise > 0)
         return lobe_app_reject("--noise", "leave out one of the two",
                                "a --part does not know the noise of the others");
+    if (v->adaptive)
+        return lobe_app_reject("--adaptive", "leave out one of the two",
+                               "a --part does not know the noise of the others");
     if (v->out && !ends_with(v->out, ".exr"))
         return lobe_app_reject(v->out, "end the name with .exr, or give --checkpoint",
                                "cannot say which pixels --part has rendered");
@@ -554,6 +574,11 @@ static lobe_app_status check(const render_values *v, const lobe_app_arguments *a
         return lobe_app_reject("--spp", "use 1 to 16777216", "too many samples");
     if (v->time_limit < 0) return lobe_app_reject("--time", "give seconds", "a negative time");
     if (v->noise < 0) return lobe_app_reject("--noise", "give 0.05 or so", "a negative noise");
+    if (lobe_app_is_given(arguments, "--footprint") && !(v->footprint >= 0 && v->footprint <= 1000))
+        return lobe_app_reject("--footprint", "use 0 to 1000 pixels", "out of range");
+    if (v->adaptive && v->spp < 64)
+        return lobe_app_reject("--adaptive", "use --spp 64 or more",
+                               "too few samples to tell noise by");
     lobe_app_status status = lobe_app_check_view(&v->view);
     if (!status) status = check_sequence(v);
     if (!status) status = check_part(v);

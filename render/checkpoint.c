@@ -1,5 +1,5 @@
-/* The file: a header of fixed size, the seeds, the pixels, the sums of the first hits if they are kept, the hash. In the
- * byte order of the machine, which the header tells. */
+/* The file: a header of fixed size, the seeds, the pixels, the sums of the first hits if they are kept, the weights and
+ * the tiles of an adaptive picture, the hash. In the byte order of the machine, which the header tells. */
 #include "checkpoint.h"
 
 #include <errno.h>
@@ -12,8 +12,9 @@
 
 #include "message.h"
 #include "output.h"
+#include "schedule.h"
 
-enum { BYTE_ORDER_MARK = 0x01020304, FORMAT = 2, SEEDS_MAX = 1 << 20 };
+enum { BYTE_ORDER_MARK = 0x01020304, FORMAT = 3, SEEDS_MAX = 1 << 20 };
 
 static const char magic[16] = "lobe checkpoint";
 
@@ -22,13 +23,19 @@ typedef struct header {
     uint32_t byte_order, format;
     int32_t width, height;
     uint32_t aovs, seed_count, part, parts;
+    uint32_t is_weighted, tiles, round, unused;
     uint64_t size; /* of the whole file */
     checkpoint_cost cost;
     char scene[256], method[32], identity[IDENTITY_ROOM];
 } header;
 
-_Static_assert(sizeof(header) == 16 + 8 * 4 + 8 + 24 + 256 + 32 + IDENTITY_ROOM, "no padding");
+_Static_assert(sizeof(header) == 16 + 12 * 4 + 8 + 24 + 256 + 32 + IDENTITY_ROOM, "no padding");
+_Static_assert(sizeof(film_tile) == 2 * 8 + 4 * 4, "no padding");
 _Static_assert(sizeof(film_pixel) == 4 * 8 + 2 * 4 + 2 * 8, "no padding");
+
+static uint32_t tiles_of(int32_t width, int32_t height) {
+    return (uint32_t)((width + TILE - 1) / TILE) * (uint32_t)((height + TILE - 1) / TILE);
+}
 
 static size_t pixels_of(const header *h) {
     return (size_t)h->width * (size_t)h->height;
@@ -39,9 +46,15 @@ static size_t first_hit_bytes(const lobe_film *film) {
     return film->first_hit ? values * sizeof *film->first_hit : 0;
 }
 
+static size_t weight_bytes(const lobe_film *film) {
+    const size_t pixels = (size_t)film->width * (size_t)film->height;
+    return film->weights ? pixels * sizeof *film->weights : 0;
+}
+
 static uint64_t size_of(const header *h, const lobe_film *film) {
     return sizeof *h + h->seed_count * sizeof(uint64_t) + pixels_of(h) * sizeof(film_pixel) +
-           first_hit_bytes(film) + sizeof(XXH128_canonical_t);
+           first_hit_bytes(film) + weight_bytes(film) + h->tiles * sizeof(film_tile) +
+           sizeof(XXH128_canonical_t);
 }
 
 /* ---- Writing --------------------------------------------------------------------------------- */
@@ -61,6 +74,9 @@ static header header_of(const lobe_film *film, checkpoint_cost cost) {
                 .seed_count = m->seed_count,
                 .part = m->part,
                 .parts = m->parts,
+                .is_weighted = film->weights != NULL,
+                .tiles = film->tiles ? tiles_of(film->width, film->height) : 0,
+                .round = film->round,
                 .cost = cost};
     memcpy(h.magic, magic, sizeof h.magic);
     memcpy(h.scene, m->scene, sizeof h.scene);
@@ -83,6 +99,8 @@ lobe_render_result lobe_checkpoint_write(const char *path, const lobe_film *film
         put(&out, hash, film->metadata.seeds, h.seed_count * sizeof(uint64_t));
         put(&out, hash, film->pixels, pixels_of(&h) * sizeof *film->pixels);
         if (film->first_hit) put(&out, hash, film->first_hit, first_hit_bytes(film));
+        if (film->weights) put(&out, hash, film->weights, weight_bytes(film));
+        if (film->tiles) put(&out, hash, film->tiles, h.tiles * sizeof *film->tiles);
         XXH128_canonical_t end;
         XXH128_canonicalFromHash(&end, XXH3_128bits_digest(hash));
         lobe_output_write(&out, &end, sizeof end);
@@ -114,8 +132,9 @@ static int is_sane(const header *h) {
     return h->width >= 1 && h->height >= 1 && h->width <= LOBE_RENDER_SIZE_MAX &&
            h->height <= LOBE_RENDER_SIZE_MAX && h->aovs < 1u << LOBE_AOV_COUNT &&
            h->seed_count >= 1 && h->seed_count <= SEEDS_MAX && h->part >= 1 &&
-           h->part <= h->parts && is_terminated(h->scene, sizeof h->scene) &&
-           is_terminated(h->method, sizeof h->method) &&
+           h->part <= h->parts && h->is_weighted <= 1 &&
+           (h->tiles == 0 || (h->is_weighted && h->tiles == tiles_of(h->width, h->height))) &&
+           is_terminated(h->scene, sizeof h->scene) && is_terminated(h->method, sizeof h->method) &&
            is_terminated(h->identity, sizeof h->identity);
 }
 
@@ -141,6 +160,14 @@ static lobe_render_result read_header(const char *path, FILE *file, XXH3_state_t
     return h->byte_order == BYTE_ORDER_MARK && is_sane(h) ? LOBE_RENDER_OK : not_whole(path);
 }
 
+/* 0: no memory. */
+static int add_weights(lobe_film *film, const header *h) {
+    if (h->is_weighted && !lobe_film_add_weights(film)) return 0;
+    if (h->tiles) film->tiles = malloc(h->tiles * sizeof *film->tiles);
+    film->round = h->round;
+    return !h->tiles || film->tiles;
+}
+
 static int read_body(FILE *file, XXH3_state_t *hash, const header *h, lobe_film *film) {
     if (size_of(h, film) != h->size) return 0;
     film_metadata *m = &film->metadata;
@@ -156,6 +183,8 @@ static int read_body(FILE *file, XXH3_state_t *hash, const header *h, lobe_film 
     return m->seeds && get(file, hash, m->seeds, h->seed_count * sizeof *m->seeds) &&
            get(file, hash, film->pixels, pixels_of(h) * sizeof *film->pixels) &&
            (!film->first_hit || get(file, hash, film->first_hit, first_hit_bytes(film))) &&
+           (!film->weights || get(file, hash, film->weights, weight_bytes(film))) &&
+           (!film->tiles || get(file, hash, film->tiles, h->tiles * sizeof *film->tiles)) &&
            get(file, NULL, &end, sizeof end) &&
            XXH128_isEqual(XXH128_hashFromCanonical(&end), XXH3_128bits_digest(hash));
 }
@@ -171,7 +200,11 @@ static lobe_render_result read_all(const char *path, FILE *file, XXH3_state_t *h
         h.size / sizeof(film_pixel) < pixels_of(&h))
         return not_whole(path);
     *film = lobe_film_create(h.width, h.height, h.aovs);
-    if (!*film) return lobe_fail_memory(path);
+    if (!*film || !add_weights(*film, &h)) {
+        lobe_film_free(*film);
+        *film = NULL;
+        return lobe_fail_memory(path);
+    }
     *cost = h.cost;
     if (read_body(file, hash, &h, *film)) {
         (*film)->metadata.samples = lobe_film_most_samples(*film);

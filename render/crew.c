@@ -1,9 +1,11 @@
 #include "crew.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <time.h>
 
+#include "adaptive.h"
 #include "message.h"
 #include "ranks.h"
 
@@ -85,13 +87,21 @@ static int is_quiet(const crew *c) {
     return c->options->noise > 0.0 && lobe_film_noise(c->film) <= c->options->noise;
 }
 
+/* Of an adaptive picture; 0: there is none. */
+static int begin_round(crew *c) {
+    if (!c->film->tiles || !lobe_adaptive_plan(c->film, c->options->samples)) return 0;
+    lobe_adaptive_schedule(c->film, c->options->samples, &c->schedule);
+    return 1;
+}
+
 static schedule_answer next(crew *c, unit *u) {
     const lobe_render_options *o = c->options;
     if (is_cancelled(c)) c->is_stopped = c->is_cancelled = 1;
     if (o->time_limit > 0.0 && lobe_clock() - c->start > o->time_limit) c->is_stopped = 1;
     if (c->is_cancelled) return SCHEDULE_END;
     if (c->is_stopped) return c->schedule.out ? SCHEDULE_WAIT : SCHEDULE_END;
-    const schedule_answer answer = lobe_schedule_next(&c->schedule, u);
+    schedule_answer answer = lobe_schedule_next(&c->schedule, u);
+    if (answer == SCHEDULE_END && begin_round(c)) answer = lobe_schedule_next(&c->schedule, u);
     if (answer == SCHEDULE_PASS && is_quiet(c)) c->is_stopped = 1;
     return answer;
 }
@@ -99,10 +109,15 @@ static schedule_answer next(crew *c, unit *u) {
 static void deliver(crew *c, const unit *u, const lobe_film *tile, uint64_t rays) {
     const uint32_t across = tiles_across(c->film);
     lobe_film_add_part(c->film, (int)(u->tile % across) * TILE, (int)(u->tile / across) * TILE,
-                       tile);
+                       tile, u->weight);
+    if (c->film->tiles) {
+        c->film->tiles[u->tile].done += u->count;
+        c->film->tiles[u->tile].squares += u->count * u->weight * u->weight;
+    }
     lobe_schedule_deliver(&c->schedule, u);
     c->rays += rays;
     c->samples += u->count * pixels_of_tile(c->film, u->tile);
+    c->done += u->weight * (double)(u->count * pixels_of_tile(c->film, u->tile));
 }
 
 checkpoint_cost lobe_crew_cost(const crew *c) {
@@ -125,13 +140,14 @@ static void save(crew *c) {
 
 static void show_progress(const crew *c) {
     const double seconds = lobe_clock() - c->start;
-    const double fraction = c->wanted ? (double)c->samples / (double)c->wanted : 1.0;
+    const double fraction = c->wanted > 0.0 ? fmin(c->done / c->wanted, 1.0) : 1.0;
     const lobe_render_progress p = {
         .fraction = fraction,
         .seconds = seconds,
         .seconds_left = fraction > 0.0 ? seconds * (1.0 - fraction) / fraction : -1.0,
         .samples = c->samples,
-        .pixel_samples = c->schedule.passed};
+        .pixel_samples =
+            lobe_adaptive_before(c->schedule.round, c->options->samples) + c->schedule.passed};
     c->options->progress(c->options->progress_user, &p);
 }
 
@@ -145,38 +161,71 @@ static void tend(crew *c) {
     omp_unset_lock(&c->lock);
 }
 
+/* The first pixel of a tile. */
+static size_t corner_of(const lobe_film *film, uint32_t tile) {
+    const size_t left = (size_t)(tile % tiles_across(film)) * TILE;
+    return (size_t)(tile / tiles_across(film)) * TILE * (size_t)film->width + left;
+}
+
+static int has_everywhere(const lobe_film *film, uint32_t tile, uint32_t samples) {
+    const size_t width = (size_t)film->width, height = (size_t)film->height;
+    const size_t left = corner_of(film, tile) % width, top = corner_of(film, tile) / width;
+    for (size_t y = top; y < top + TILE && y < height; y++)
+        for (size_t x = left; x < left + TILE && x < width; x++)
+            if (lobe_film_tried(film, y * width + x) != samples) return 0;
+    return 1;
+}
+
+/* Samples of the rounds before this one. */
+static uint32_t samples_before(const lobe_film *film, uint32_t tile) {
+    return film->tiles ? film->tiles[tile].before : 0;
+}
+
+static void count_tile(crew *c, uint32_t tile) {
+    const schedule *s = &c->schedule;
+    const double pixels = (double)pixels_of_tile(c->film, tile), done = s->done[tile];
+    const uint32_t before = lobe_adaptive_before(s->round, c->options->samples);
+    c->samples += (uint64_t)(pixels * (samples_before(c->film, tile) + done));
+    c->done += pixels * (before + (s->planned ? done * s->samples / s->planned[tile] : done));
+    c->wanted += pixels * c->options->samples;
+}
+
 /* Where the film stands. A film that was made elsewhere may stand anywhere: 0, it cannot be gone on with. */
 static int take_stock(crew *c) {
     schedule *s = &c->schedule;
-    const uint32_t across = tiles_across(c->film);
-    uint32_t least = UINT32_MAX, most = 0;
+    lobe_film *f = c->film;
+    const uint32_t samples = c->options->samples;
+    if (c->options->is_adaptive && (!f->tiles || !lobe_adaptive_is_sane(f, samples))) return 0;
+    if (f->tiles) lobe_adaptive_schedule(f, samples, s);
     for (uint32_t t = 0; t < s->tiles; t++) {
-        const size_t left = (size_t)(t % across) * TILE, top = (size_t)(t / across) * TILE;
-        const size_t width = (size_t)c->film->width, height = (size_t)c->film->height;
-        s->done[t] = lobe_film_tried(c->film, top * width + left);
+        if (!f->tiles) s->done[t] = lobe_film_tried(f, corner_of(f, t));
         const int is_own = t % s->parts == s->part - 1;
-        if (!lobe_schedule_is_step(s, s->done[t]) || (!is_own && s->done[t] > 0)) return 0;
-        for (size_t y = top; y < top + TILE && y < height; y++)
-            for (size_t x = left; x < left + TILE && x < width; x++)
-                if (lobe_film_tried(c->film, y * width + x) != s->done[t]) return 0;
-        if (!is_own) continue;
-        if (s->done[t] < least) least = s->done[t];
-        if (s->done[t] > most) most = s->done[t];
-        c->samples += s->done[t] * pixels_of_tile(c->film, t);
-        c->wanted += s->samples * pixels_of_tile(c->film, t);
+        if (!lobe_schedule_is_step(s, t, s->done[t]) || (!is_own && s->done[t] > 0) ||
+            !has_everywhere(f, t, samples_before(f, t) + s->done[t]))
+            return 0;
+        if (is_own) count_tile(c, t);
     }
     /* uneven: the pass before was looked at, and was too noisy */
-    s->passed = least < most ? least : 0;
+    s->passed = lobe_schedule_is_even(s) ? 0 : lobe_schedule_least(s);
     return 1;
+}
+
+static int create_schedule(crew *c) {
+    const lobe_render_options *o = c->options;
+    const uint32_t down = (uint32_t)(c->film->height + TILE - 1) / TILE;
+    schedule *s = &c->schedule;
+    if (!lobe_schedule_create(s, tiles_across(c->film) * down, o->samples, o->part, o->parts))
+        return 0;
+    s->is_stepwise = o->noise > 0.0;
+    return !o->is_adaptive || lobe_schedule_add_rounds(s);
 }
 
 lobe_render_result lobe_crew_run(crew *c) {
     const lobe_render_options *o = c->options;
-    const uint32_t down = (uint32_t)(c->film->height + TILE - 1) / TILE;
-    if (!lobe_schedule_create(&c->schedule, tiles_across(c->film) * down, o->samples, o->part,
-                              o->parts))
+    if (!create_schedule(c)) {
+        lobe_schedule_free(&c->schedule);
         return lobe_fail_memory("schedule");
-    c->schedule.is_stepwise = o->noise > 0.0;
+    }
     c->source = (crew_source){next, deliver, tend};
     c->saved = c->start;
     lobe_render_result result = LOBE_RENDER_OK;

@@ -31,13 +31,14 @@ struct crew {
     omp_lock_t lock; /* held in next and deliver; guards all below */
     lobe_film *film;
     schedule schedule;
-    uint64_t rays;            /* of this run */
-    checkpoint_cost before;   /* of the runs before */
-    uint64_t samples, wanted; /* camera paths so far and in the end */
-    double saved;             /* when the last checkpoint was begun */
-    int is_stopped;           /* no new units */
-    int is_cancelled;         /* nor any wait for those that others have */
-    int has_failed_to_save;   /* the last checkpoint */
+    uint64_t rays;          /* of this run */
+    checkpoint_cost before; /* of the runs before */
+    uint64_t samples;       /* camera paths so far */
+    double done, wanted;    /* sums of their weights, and in the end */
+    double saved;           /* when the last checkpoint was begun */
+    int is_stopped;         /* no new units */
+    int is_cancelled;       /* nor any wait for those that others have */
+    int has_failed_to_save; /* the last checkpoint */
 };
 
 /* Seconds of a clock that only goes forward, and of the processor for all threads. */

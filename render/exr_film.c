@@ -21,7 +21,7 @@ void lobe_exr_options(char text[EXR_OPTIONS_ROOM], const char *identity, float e
     if (exposure != 0.0f) snprintf(text + strlen(text), 32, "exposure %.9g\n", (double)exposure);
 }
 
-enum { CHANNELS_MAX = 4 + 3 * LOBE_AOV_COUNT };
+enum { CHANNELS_MAX = 5 + 3 * LOBE_AOV_COUNT };
 
 typedef struct planes {
     int width, height, count;
@@ -117,7 +117,7 @@ static void fill_layer(lobe_film *film, const planes *p, lobe_aov aov, int first
         const float *plane = plane_of(p, prefix, lobe_exr_components(aov)[c]);
         for (size_t i = 0; i < (size_t)p->width * (size_t)p->height; i++)
             film->first_hit[i * FILM_FIRST_HIT_VALUES + (size_t)(first_value + c)] =
-                (double)plane[i] * film->pixels[i].samples;
+                (double)plane[i] * lobe_film_weight(film, i);
     }
 }
 
@@ -142,12 +142,26 @@ static int fill_samples(lobe_film *film, const planes *p) {
     return 1;
 }
 
+/* 0: no memory, or no weights. */
+static int fill_weights(lobe_film *film, const planes *p) {
+    const float *plane = plane_of(p, EXR_WEIGHTS_LAYER, 'Y');
+    if (!plane) return 1;
+    if (!lobe_film_add_weights(film)) return 0;
+    for (size_t i = 0; i < (size_t)p->width * (size_t)p->height; i++) {
+        if (!(plane[i] >= 0.0f && plane[i] <= 0x1p31f) ||
+            (plane[i] > 0.0f) != (film->pixels[i].samples > 0))
+            return 0;
+        film->weights[i] = (double)plane[i];
+    }
+    return 1;
+}
+
 static void fill_colors(lobe_film *film, const planes *p) {
     for (int c = 0; c < 3; c++) {
         const float *plane = plane_of(p, "", "RGB"[c]);
         for (size_t i = 0; i < (size_t)p->width * (size_t)p->height; i++)
             film->pixels[i].rgb[c] =
-                film->pixels[i].samples ? (double)plane[i] * film->pixels[i].samples : 0.0;
+                film->pixels[i].samples ? (double)plane[i] * lobe_film_weight(film, i) : 0.0;
     }
 }
 
@@ -185,7 +199,8 @@ static lobe_render_result film_of(const char *path, exr_context_t file, const pl
     if (aovs < 0) return not_ours(path);
     *film = lobe_film_create(p->width, p->height, (uint32_t)aovs);
     if (!*film) return lobe_fail_memory(path);
-    if (!read_metadata(file, *film) || !fill_samples(*film, p)) return not_ours(path);
+    if (!read_metadata(file, *film) || !fill_samples(*film, p) || !fill_weights(*film, p))
+        return not_ours(path);
     fill_colors(*film, p);
     for (int aov = 0; aov < LOBE_AOV_COUNT; aov++) {
         if (!(aovs & LOBE_AOV_BIT(aov))) continue;

@@ -11,6 +11,7 @@
 #define EXR_SAMPLES "lobe.samples"
 #define EXR_OPTIONS "lobe.options"
 #define EXR_SAMPLES_LAYER "samples."
+#define EXR_WEIGHTS_LAYER "weights." /* of adaptive pictures */
 
 /* Components of a channel as letters: "RGB". */
 const char *lobe_exr_components(lobe_aov aov);

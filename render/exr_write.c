@@ -10,7 +10,7 @@
 #include "message.h"
 #include "output.h"
 
-enum { CHANNELS_MAX = 4 + 3 * LOBE_AOV_COUNT };
+enum { CHANNELS_MAX = 5 + 3 * LOBE_AOV_COUNT };
 
 typedef struct channel {
     char name[32];
@@ -19,7 +19,7 @@ typedef struct channel {
 } channel;
 
 typedef struct layers {
-    float *planes[2 + LOBE_AOV_COUNT]; /* owned */
+    float *planes[3 + LOBE_AOV_COUNT]; /* owned */
     int plane_count;
     channel channels[CHANNELS_MAX];
     int count;
@@ -68,6 +68,15 @@ static int add_samples(layers *l, const lobe_film *film) {
     return 1;
 }
 
+static int add_weights(layers *l, const lobe_film *film) {
+    size_t count = (size_t)film->width * (size_t)film->height;
+    float *plane = malloc(count * sizeof *plane);
+    if (!plane) return 0;
+    for (size_t i = 0; i < count; i++) plane[i] = (float)film->weights[i];
+    add_layer(l, EXR_WEIGHTS_LAYER, "Y", plane);
+    return 1;
+}
+
 /* Planes of all channels, sorted by name as the format demands. 0: no memory. */
 static int gather(const lobe_film *film, float scale, layers *l) {
     size_t count = (size_t)film->width * (size_t)film->height;
@@ -86,6 +95,7 @@ static int gather(const lobe_film *film, float scale, layers *l) {
         add_layer(l, prefix, lobe_exr_components((lobe_aov)aov), plane);
     }
     if (film->metadata.identity[0] && !is_even(film) && !add_samples(l, film)) return 0;
+    if (film->metadata.identity[0] && film->weights && !add_weights(l, film)) return 0;
     qsort(l->channels, (size_t)l->count, sizeof *l->channels, by_name);
     return 1;
 }
@@ -136,7 +146,8 @@ static exr_result_t write_header(exr_context_t file, const lobe_film *film, cons
         int is_float = options.pixels == LOBE_FILM_FLOAT ||
                        strcmp(l->channels[i].name, "depth.Z") == 0 ||
                        strncmp(l->channels[i].name, "motion.", 7) == 0 ||
-                       strcmp(l->channels[i].name, EXR_SAMPLES_LAYER "Y") == 0;
+                       strcmp(l->channels[i].name, EXR_SAMPLES_LAYER "Y") == 0 ||
+                       strcmp(l->channels[i].name, EXR_WEIGHTS_LAYER "Y") == 0;
         status = exr_add_channel(file, 0, l->channels[i].name,
                                  is_float ? EXR_PIXEL_FLOAT : EXR_PIXEL_HALF,
                                  EXR_PERCEPTUALLY_LOGARITHMIC, 1, 1);

@@ -28,9 +28,16 @@ lobe_film *lobe_film_create(int width, int height, uint32_t aovs) {
     return film;
 }
 
+int lobe_film_add_weights(lobe_film *film) {
+    film->weights = calloc((size_t)film->width * (size_t)film->height, sizeof *film->weights);
+    return film->weights != NULL;
+}
+
 void lobe_film_free(lobe_film *film) {
     if (!film) return;
     free(film->pixels);
+    free(film->weights);
+    free(film->tiles);
     free(film->first_hit);
     free(film->metadata.seeds);
     free(film);
@@ -74,24 +81,25 @@ void lobe_film_clear(lobe_film *film) {
         memset(film->first_hit, 0, count * FILM_FIRST_HIT_VALUES * sizeof *film->first_hit);
 }
 
-static void add_pixel(film_pixel *sum, const film_pixel *more) {
-    for (int c = 0; c < 3; c++) sum->rgb[c] += more->rgb[c];
-    sum->half += more->half;
+static void add_pixel(film_pixel *sum, const film_pixel *more, double weight) {
+    for (int c = 0; c < 3; c++) sum->rgb[c] += weight * more->rgb[c];
+    sum->half += weight * more->half;
     sum->samples += more->samples;
     sum->dropped += more->dropped;
     sum->draws += more->draws;
     sum->rejected += more->rejected;
 }
 
-void lobe_film_add_part(lobe_film *film, int left, int top, const lobe_film *part) {
+void lobe_film_add_part(lobe_film *film, int left, int top, const lobe_film *part, double weight) {
     for (int y = 0; y < part->height && top + y < film->height; y++)
         for (int x = 0; x < part->width && left + x < film->width; x++) {
             const size_t to = (size_t)(top + y) * (size_t)film->width + (size_t)(left + x);
             const size_t from = (size_t)y * (size_t)part->width + (size_t)x;
-            add_pixel(&film->pixels[to], &part->pixels[from]);
+            add_pixel(&film->pixels[to], &part->pixels[from], weight);
+            if (film->weights) film->weights[to] += weight * lobe_film_weight(part, from);
             for (size_t i = 0; film->first_hit && i < FILM_FIRST_HIT_VALUES; i++)
                 film->first_hit[to * FILM_FIRST_HIT_VALUES + i] +=
-                    part->first_hit[from * FILM_FIRST_HIT_VALUES + i];
+                    weight * part->first_hit[from * FILM_FIRST_HIT_VALUES + i];
         }
 }
 
@@ -130,7 +138,9 @@ double lobe_film_noise(const lobe_film *film) {
     size_t pixels = 0;
     for (size_t i = 0; i < (size_t)film->width * (size_t)film->height; i++) {
         const film_pixel *p = &film->pixels[i];
-        const double n = p->samples, first = first_half_of(p->samples), second = n - first;
+        const double n = lobe_film_weight(film, i);
+        const double first = film->weights ? 0.5 * n : first_half_of(p->samples);
+        const double second = n - first;
         if (p->samples == 0) continue;
         if (p->samples < 2 * FILM_HALF_BLOCK) return NAN;
         const double all = 0.2126 * p->rgb[0] + 0.7152 * p->rgb[1] + 0.0722 * p->rgb[2];
@@ -143,9 +153,10 @@ double lobe_film_noise(const lobe_film *film) {
 
 vec3 lobe_film_mean(const lobe_film *film, size_t index) {
     const film_pixel *pixel = &film->pixels[index];
-    if (pixel->samples == 0) return v3_all(0.0f);
-    return v3((float)(pixel->rgb[0] / pixel->samples), (float)(pixel->rgb[1] / pixel->samples),
-              (float)(pixel->rgb[2] / pixel->samples));
+    const double weight = lobe_film_weight(film, index);
+    if (!(weight > 0.0)) return v3_all(0.0f);
+    return v3((float)(pixel->rgb[0] / weight), (float)(pixel->rgb[1] / weight),
+              (float)(pixel->rgb[2] / weight));
 }
 
 int lobe_film_copy_rgb(const lobe_film *film, float *rgb) {
@@ -159,8 +170,9 @@ int lobe_film_copy_rgb(const lobe_film *film, float *rgb) {
 static void copy_first_hit(const lobe_film *film, int offset, int channels, float *values) {
     for (size_t i = 0; i < (size_t)film->width * (size_t)film->height; i++) {
         const double *sums = film->first_hit + i * FILM_FIRST_HIT_VALUES + offset;
-        uint32_t samples = film->pixels[i].samples;
-        for (int c = 0; c < channels; c++) *values++ = samples ? (float)(sums[c] / samples) : 0.0f;
+        const double weight = lobe_film_weight(film, i);
+        for (int c = 0; c < channels; c++)
+            *values++ = weight > 0.0 ? (float)(sums[c] / weight) : 0.0f;
     }
 }
 

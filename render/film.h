@@ -27,7 +27,7 @@ typedef struct film_sample {
     float vndf_integral;
     float motion[2];
     uint32_t draws, rejected; /* of GGX */
-    int is_first_half;        /* see film_pixel */
+    int is_first_half;        /* see film_pixel; of weighted samples, half of the weight */
 } film_sample;
 
 typedef struct film_pixel {
@@ -38,17 +38,37 @@ typedef struct film_pixel {
     uint64_t draws, rejected;
 } film_pixel;
 
+/* How far a tile of an adaptive picture is (adaptive.h): samples of each of its pixels. */
+typedef struct film_tile {
+    double squares;                 /* sum of the squares of their weights */
+    double deviation;               /* of one sample, relative, as the plan of this round had it */
+    uint32_t before, planned, done; /* of the rounds before; of this one, and of those rendered */
+    uint32_t unused;                /* 0: the structure has no padding */
+} film_tile;
+
 struct lobe_film {
     int width, height;
     uint32_t aovs;      /* LOBE_AOV_BIT */
-    film_pixel *pixels; /* rows from the top */
-    double *first_hit;  /* sums of albedo, normal, depth, VNDF integral, motion; NULL: not kept */
+    film_pixel *pixels; /* rows from the top; sums of rgb and half are weighted */
+    double *weights;    /* sums of the weights of each pixel's samples; NULL: each weighs 1 */
+    film_tile
+        *tiles;     /* of TILE x TILE pixels; NULL: not adaptive, or joined from several pictures */
+    uint32_t round; /* of `tiles`, from 1; 0: none is planned yet */
+    double *first_hit; /* sums of albedo, normal, depth, VNDF integral, motion; NULL: not kept */
     film_metadata metadata;
 };
 
 enum { FILM_FIRST_HIT_VALUES = 10, FILM_HALF_BLOCK = 16 };
 
 lobe_film *lobe_film_create(int width, int height, uint32_t aovs); /* NULL: no memory */
+
+/* Make an empty film one of weighted samples. 0: no memory. */
+int lobe_film_add_weights(lobe_film *film);
+
+/* What the sums of a pixel are to be divided by; 0: it has no samples. */
+static inline double lobe_film_weight(const lobe_film *film, size_t index) {
+    return film->weights ? film->weights[index] : film->pixels[index].samples;
+}
 
 /* Add a sample to pixel `index`. A sample that is not finite is counted and dropped. */
 void lobe_film_add(lobe_film *film, size_t index, const film_sample *sample);
@@ -58,9 +78,9 @@ vec3 lobe_film_mean(const lobe_film *film, size_t index);
 /* Forget all samples. */
 void lobe_film_clear(lobe_film *film);
 
-/* Add the sums of `part` to the pixels from (left, top) on; what lies beyond the edge is left out. Both hold the
- * same channels. */
-void lobe_film_add_part(lobe_film *film, int left, int top, const lobe_film *part);
+/* Add `weight` times the sums of `part` to the pixels from (left, top) on; what lies beyond the edge is left out. Both
+ * hold the same channels. */
+void lobe_film_add_part(lobe_film *film, int left, int top, const lobe_film *part, double weight);
 
 /* Samples of the pixel, those that were dropped among them. */
 static inline uint32_t lobe_film_tried(const lobe_film *film, size_t index) {

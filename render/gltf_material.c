@@ -115,6 +115,15 @@ static void set_transform(texture_map *map, const gltf_texture_use *use) {
     map->v[2] = (float)use->offset[1];
 }
 
+static void set_small_filter(texture_map *map, int filter) {
+    map->is_nearest_small = filter == GLTF_NEAREST || filter == GLTF_NEAREST_MIPMAP_NEAREST ||
+                            filter == GLTF_NEAREST_MIPMAP_LINEAR;
+    map->levels = LEVELS_BLENDED;
+    if (filter == GLTF_NEAREST || filter == GLTF_BILINEAR) map->levels = LEVELS_NONE;
+    if (filter == GLTF_NEAREST_MIPMAP_NEAREST || filter == GLTF_LINEAR_MIPMAP_NEAREST)
+        map->levels = LEVELS_NEAREST;
+}
+
 static texture_map read_map(material_reader *k, const gltf_texture_use *use, int is_srgb,
                             material_needs *needs) {
     const gltf_model *m = k->reader->model;
@@ -128,6 +137,7 @@ static texture_map read_map(material_reader *k, const gltf_texture_use *use, int
     map.wrap_u = wrap_of(t->wrap_u);
     map.wrap_v = wrap_of(t->wrap_v);
     map.is_nearest = t->filter == GLTF_NEAREST;
+    set_small_filter(&map, t->small_filter);
     return map;
 }
 

@@ -337,12 +337,13 @@ gltf_material plain(const tinygltf::Material &m) {
 }
 
 gltf_texture plain(const tinygltf::Texture &t, const std::vector<tinygltf::Sampler> &samplers) {
-    gltf_texture texture = {t.source, GLTF_REPEAT, GLTF_REPEAT, -1};
+    gltf_texture texture = {t.source, GLTF_REPEAT, GLTF_REPEAT, -1, -1};
     if (t.sampler < 0 || static_cast<std::size_t>(t.sampler) >= samplers.size()) return texture;
     const tinygltf::Sampler &sampler = samplers[static_cast<std::size_t>(t.sampler)];
     texture.wrap_u = sampler.wrapS;
     texture.wrap_v = sampler.wrapT;
     texture.filter = sampler.magFilter;
+    texture.small_filter = sampler.minFilter;
     return texture;
 }
 

@@ -151,10 +151,18 @@ typedef struct gltf_material {
         specular_tint, clearcoat_share, clearcoat_rough, clearcoat_normal;
 } gltf_material;
 
-enum { GLTF_REPEAT = 10497, GLTF_MIRROR = 33648, GLTF_CLAMP = 33071, GLTF_NEAREST = 9728 };
+enum { GLTF_REPEAT = 10497, GLTF_MIRROR = 33648, GLTF_CLAMP = 33071 };
+
+enum {
+    GLTF_NEAREST = 9728,
+    GLTF_BILINEAR,
+    GLTF_NEAREST_MIPMAP_NEAREST = 9984,
+    GLTF_LINEAR_MIPMAP_NEAREST,
+    GLTF_NEAREST_MIPMAP_LINEAR
+};
 
 typedef struct gltf_texture {
-    int image, wrap_u, wrap_v, filter;
+    int image, wrap_u, wrap_v, filter, small_filter;
 } gltf_texture;
 
 typedef struct gltf_image {

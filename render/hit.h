@@ -10,6 +10,7 @@ typedef struct hit_geometry {
     vec3 face;            /* unit; counter-clockwise corners face it */
     vec3 normal, tangent; /* means of those at the corners, of any length; 0 where there are none */
     float handedness;
+    float area; /* twice that of the triangle */
 } hit_geometry;
 
 static inline vec3 hit_mean(const vec3 a, const vec3 b, const vec3 c, float u, float v) {
@@ -39,6 +40,7 @@ static inline hit_geometry hit_geometry_of(const lobe_scene *s, const ray_hit *h
                       .tangent = hit_mean(a->tangent, b->tangent, c->tangent, u, v),
                       .handedness = a->handedness};
     if (hit->instance != NO_INSTANCE) hit_place(&g, &s->instances[hit->instance], edge, other);
+    g.area = v3_length(g.face);
     g.face = v3_normalize_or(g.face, v3(0.0f, 1.0f, 0.0f));
     return g;
 }

@@ -10,7 +10,7 @@
 #include "scene.h"
 
 /* Raised by every change of the renderer that changes the bits of pictures. */
-enum { PICTURE_BITS = 2 };
+enum { PICTURE_BITS = 3 };
 
 __attribute__((format(printf, 2, 3))) static void add_line(char *text, const char *format, ...) {
     const size_t used = strlen(text);
@@ -86,6 +86,10 @@ static void add_metal(char *text, const lobe_metal *m) {
 static void add_options(char *text, const lobe_render_options *o) {
     static const char *const multiscatters[] = {"none", "kulla-conty", "turquin", "walk"};
     const lobe_reflection_options *r = &o->reflection;
+    if (o->light_choice != LOBE_LIGHTS_AUTOMATIC)
+        add_line(text, "lights %s\n", lobe_light_choice_name(o->light_choice));
+    if (o->footprint >= 0.0f) add_line(text, "footprint %.9g\n", (double)o->footprint);
+    if (o->is_adaptive) add_line(text, "adaptive yes\n");
     add_line(text, "size %dx%d\nspp %u\ndepth %d\nroulette %d\n", o->width, o->height, o->samples,
              o->depth, o->roulette_depth);
     if (o->aperture > 0.0f)

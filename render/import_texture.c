@@ -19,7 +19,7 @@ static int read_embedded(const struct aiTexture *embedded, texture *t, int is_sr
         rgb[3 * i + 1] = embedded->pcData[i].g;
         rgb[3 * i + 2] = embedded->pcData[i].b;
     }
-    *t = (texture){(int)embedded->mWidth, (int)embedded->mHeight, 3, is_srgb, rgb};
+    *t = (texture){(int)embedded->mWidth, (int)embedded->mHeight, 3, is_srgb, .texels = rgb};
     return 1;
 }
 

@@ -1,5 +1,6 @@
 #include "integrator.h"
 
+#include "cone.h"
 #include "hit.h"
 #include "place.h"
 
@@ -11,9 +12,10 @@ typedef struct hit_point {
     const triangle *triangle;
     const material *material;
     float u[2], v[2];
-    float turn;     /* -1: the tangent frame is left-handed */
-    int is_back;    /* the triangle faces away */
-    vec3 darkening; /* of the base colour, by the colours of the vertices */
+    float footprint[2]; /* for textures, in the planes of u and v */
+    float turn;         /* -1: the tangent frame is left-handed */
+    int is_back;        /* the triangle faces away */
+    vec3 darkening;     /* of the base colour, by the colours of the vertices */
     vec3 emission;
 } hit_point;
 
@@ -24,7 +26,9 @@ typedef struct path {
     vec3 origin, direction, throughput;
     vec3
         place; /* on the surface where the path was last: what lies in a solid is measured from it */
+    vec3 facing;  /* the surface's normal there; 0: it is lit from both sides */
     float pdf;    /* of `direction`; a point mass: infinite */
+    cone cone;    /* of `direction` */
     float spread; /* by which refraction has shrunk radiance so far: what returns on leaving */
     const material *inside; /* the solid in which the path is; NULL: none. They do not nest */
     int is_camera;          /* no surface yet: light is taken as it is */
@@ -35,7 +39,17 @@ typedef struct path {
 static vec3 sample_map(const lobe_scene *s, const texture_map *map, const hit_point *h,
                        vec3 missing) {
     if (map->texture == NO_TEXTURE) return missing;
-    return lobe_texture_at(&s->textures[map->texture], map, h->u[map->uv_set], h->v[map->uv_set]);
+    const int set = map->uv_set;
+    return lobe_texture_at(&s->textures[map->texture], map, h->u[set], h->v[set],
+                           h->footprint[set]);
+}
+
+/* Of directions, which are not averaged. */
+static vec3 sample_directions(const lobe_scene *s, const texture_map *map, const hit_point *h,
+                              vec3 missing) {
+    if (map->texture == NO_TEXTURE) return missing;
+    const int set = map->uv_set;
+    return lobe_texture_at(&s->textures[map->texture], map, h->u[set], h->v[set], 0.0f);
 }
 
 static int is_coloured(const vertex *v) {
@@ -53,7 +67,11 @@ static vec3 darkening_at(const vertex *a, const vertex *b, const vertex *c, floa
 
 static vec3 base_color_at(const lobe_scene *s, const hit_point *h) {
     const vec3 color = v3_mul(h->material->base_color, v3_sub(v3_all(1.0f), h->darkening));
-    return v3_mul(color, sample_map(s, &h->material->base_map, h, v3_all(1.0f)));
+    const texture_map *map = &h->material->base_map;
+    /* of what is cut out, only what is there has a colour */
+    return v3_mul(color, h->material->alpha_mode == ALPHA_OPAQUE
+                             ? sample_map(s, map, h, v3_all(1.0f))
+                             : sample_directions(s, map, h, v3_all(1.0f)));
 }
 
 /* The share of light that a surface takes: the rest passes. */
@@ -81,7 +99,7 @@ static vec3 mapped_normal(const lobe_scene *s, const hit_point *h, const texture
                           float scale) {
     const frame *f = &h->smooth;
     if (map->texture == NO_TEXTURE) return f->z;
-    vec3 t = sample_map(s, map, h, v3_all(0.0f));
+    vec3 t = sample_directions(s, map, h, v3_all(0.0f));
     float x = (2.0f * t.x - 1.0f) * scale, y = (2.0f * t.y - 1.0f) * scale;
     vec3 local = {x, y * h->handedness, 2.0f * t.z - 1.0f};
     return v3_normalize_or(frame_to_world(f, local), f->z);
@@ -110,8 +128,21 @@ static vec3 emission_at(const lobe_scene *s, const hit_point *h) {
     return v3_mul(m->emission, sample_map(s, &m->emission_map, h, v3_all(1.0f)));
 }
 
+static float cross(float ax, float ay, float bx, float by) {
+    return ax * by - ay * bx;
+}
+
+static void find_footprint(hit_point *h, const vertex *a, const vertex *b, const vertex *c,
+                           float width, float cosine, float area) {
+    const float first = cross(b->u - a->u, b->v - a->v, c->u - a->u, c->v - a->v);
+    const float second = cross(b->u1 - a->u1, b->v1 - a->v1, c->u1 - a->u1, c->v1 - a->v1);
+    h->footprint[0] = cone_footprint(width, cosine, area, fabsf(first));
+    h->footprint[1] = cone_footprint(width, cosine, area, fabsf(second));
+}
+
 /* Written member by member, where it stays: a copy of what has just been written waits for it. */
-static void find_hit_point(const lobe_scene *s, const ray_hit *hit, vec3 direction, hit_point *h) {
+static void find_hit_point(const lobe_scene *s, const ray_hit *hit, vec3 direction, float width,
+                           hit_point *h) {
     const hit_geometry g = hit_geometry_of(s, hit);
     const triangle *t = g.triangle;
     const vertex *a = &s->vertices[t->vertex[0]], *b = &s->vertices[t->vertex[1]],
@@ -125,6 +156,9 @@ static void find_hit_point(const lobe_scene *s, const ray_hit *hit, vec3 directi
     h->v[0] = w * a->v + u * b->v + v * c->v;
     h->u[1] = w * a->u1 + u * b->u1 + v * c->u1;
     h->v[1] = w * a->v1 + u * b->v1 + v * c->v1;
+    h->footprint[0] = h->footprint[1] = 0.0f;
+    if (width > 0.0f && h->material->is_averaged)
+        find_footprint(h, a, b, c, width, fabsf(v3_dot(g.face, direction)), g.area);
     h->darkening = darkening_at(a, b, c, u, v);
     /* surfaces are two-sided: both normals turn with the side that is seen */
     const float side = v3_dot(g.face, direction) > 0.0f ? -1.0f : 1.0f;
@@ -141,7 +175,7 @@ static void find_hit_point(const lobe_scene *s, const ray_hit *hit, vec3 directi
 static void stretch(const lobe_scene *s, const hit_point *h, frame *shading, float *roughness,
                     float *anisotropy) {
     const material *m = h->material;
-    const vec3 t = sample_map(s, &m->stretch_map, h, v3(1.0f, 0.5f, 1.0f));
+    const vec3 t = sample_directions(s, &m->stretch_map, h, v3(1.0f, 0.5f, 1.0f));
     const float x = 2.0f * t.x - 1.0f, y = 2.0f * t.y - 1.0f, strength = m->stretch * t.z;
     const float along = m->stretch_x * x - m->stretch_y * y;
     const float across = (m->stretch_y * x + m->stretch_x * y) * h->turn;
@@ -250,11 +284,49 @@ static float sky_probability(const lobe_scene *s) {
     return sky ? (lamps ? 0.5f : 1.0f) : 0.0f;
 }
 
-static float lamp_pdf(const lobe_scene *s, const hit_point *h, vec3 direction) {
-    int32_t light = h->triangle->light;
-    if (light < 0 || !s->light_table.cells) return 0.0f;
-    float share = s->light_table.shares[light] * (1.0f - sky_probability(s));
-    float cosine = fabsf(v3_dot(h->geometric, direction));
+/* Probability of choosing a light where the path was last. */
+static float light_share(const path *p, uint32_t light) {
+    const lobe_scene *s = p->k->scene;
+    if (!p->k->has_light_tree) return s->light_table.shares[light];
+    return (1.0f - s->far_share) *
+           lobe_light_tree_probability(&s->light_tree, p->place, p->facing, light);
+}
+
+/* One of the lamps that shine from infinitely far, by power. */
+static uint32_t choose_far(const lobe_scene *s, float u, float *probability) {
+    uint32_t chosen = LIGHT_NOWHERE;
+    float sum = 0.0f;
+    for (uint32_t i = 0; i < s->lamp_count && (chosen == LIGHT_NOWHERE || sum <= u); i++) {
+        const float share = s->light_table.shares[s->light_count + i];
+        if (s->lamps[i].kind != LAMP_DIRECTIONAL || share == 0.0f) continue;
+        sum += share;
+        chosen = s->light_count + i;
+        *probability = share;
+    }
+    return chosen;
+}
+
+static uint32_t choose_light(const path *p, uint32_t bits, float *probability) {
+    const lobe_scene *s = p->k->scene;
+    if (!p->k->has_light_tree) {
+        const uint32_t light = alias_draw(&s->light_table, bits);
+        *probability = s->light_table.shares[light];
+        return light;
+    }
+    const double u = (double)bits * 0x1p-32, far = (double)s->far_share;
+    if (u < far || far == 1.0) return choose_far(s, (float)u, probability);
+    const uint32_t light = lobe_light_tree_draw(&s->light_tree, p->place, p->facing,
+                                                (u - far) / (1.0 - far), probability);
+    *probability *= 1.0f - s->far_share;
+    return light;
+}
+
+static float lamp_pdf(const path *p, const hit_point *h) {
+    const lobe_scene *s = p->k->scene;
+    const int32_t light = h->triangle->light;
+    if (p->is_camera || light < 0 || !s->light_table.cells) return 0.0f;
+    float share = light_share(p, (uint32_t)light) * (1.0f - sky_probability(s));
+    float cosine = fabsf(v3_dot(h->geometric, p->direction));
     return share * h->distance * h->distance / maxf(s->light_areas[light] * cosine, 1e-20f);
 }
 
@@ -337,9 +409,10 @@ static light_sample shine(const lamp *l, vec3 from) {
     return d;
 }
 
-static light_sample draw_lamp(const lobe_scene *s, vec3 from, sampler_point point) {
-    const uint32_t light = alias_draw(&s->light_table, point.bits[1]);
-    const float probability = s->light_table.shares[light];
+static light_sample draw_lamp(const path *p, vec3 from, sampler_point point) {
+    const lobe_scene *s = p->k->scene;
+    float probability = 0.0f;
+    const uint32_t light = choose_light(p, point.bits[1], &probability);
     if (light >= s->light_count) {
         light_sample l = shine(&s->lamps[light - s->light_count], from);
         l.pdf = probability;
@@ -360,13 +433,14 @@ static light_sample draw_lamp(const lobe_scene *s, vec3 from, sampler_point poin
     return l;
 }
 
-static light_sample draw_light(const lobe_scene *s, vec3 from, sampler_point point) {
+static light_sample draw_light(const path *p, vec3 from, sampler_point point) {
+    const lobe_scene *s = p->k->scene;
     float sky = sky_probability(s);
     if (sampler_unit(point.bits[0]) < sky) {
         const sky_draw d = lobe_environment_draw(&s->sky, point.bits + 1);
         return (light_sample){d.direction, d.radiance, INFINITY, d.pdf * sky, 0};
     }
-    light_sample l = draw_lamp(s, from, point);
+    light_sample l = draw_lamp(p, from, point);
     l.pdf *= 1.0f - sky;
     return l;
 }
@@ -407,7 +481,7 @@ static void add_drawn_light(path *p, const hit_point *h, const surface *surface,
     if (lobe_surface_is_clear(surface)) return;
     if (!s->light_table.cells && sky_probability(s) == 0.0f) return;
     vec3 from = lift(h, 0);
-    light_sample l = draw_light(s, from, point);
+    light_sample l = draw_light(p, from, point);
     if (!(l.pdf > 0.0f)) return;
     float pdf;
     vec3 value = lobe_surface_value(surface, l.direction, &pdf);
@@ -442,7 +516,6 @@ static void keep_first_hit(path *p, const hit_point *h, const surface *surface) 
 static void go_on(path *p, const hit_point *h, const surface *surface, vec3 direction) {
     int is_through = goes_through(h, surface, direction);
     p->origin = lift(h, is_through);
-    p->place = h->position;
     p->direction = direction;
     p->is_camera = 0;
     if (!is_through || !is_solid(h->material)) return;
@@ -464,6 +537,7 @@ static int scatter(path *p, const hit_point *h, const surface *surface, int scat
     if (!(d.pdf > 0.0f)) return 0;
     p->throughput = v3_mul(p->throughput, d.weight);
     p->pdf = d.is_mirror ? INFINITY : d.pdf;
+    if (!d.is_mirror) cone_scatter(&p->cone, p->k->share, d.pdf);
     go_on(p, h, surface, d.direction);
     if (scatterings < p->k->roulette_depth) return v3_max(p->throughput) > 0.0f;
     float survival = minf(v3_max(p->throughput) * p->spread, 0.95f);
@@ -498,6 +572,7 @@ film_sample lobe_trace_path(const integrator *k, vec3 origin, vec3 direction, sa
               .throughput = v3_all(1.0f),
               .spread = 1.0f,
               .is_camera = 1,
+              .cone = cone_of_pixel(k->pixel_angle, k->axis, direction),
               .sample = &sample};
     surface s;
     layers room;
@@ -509,15 +584,18 @@ film_sample lobe_trace_path(const integrator *k, vec3 origin, vec3 direction, sa
         }
         const sampler_point light = begin_light(&p);
         hit_point h;
-        find_hit_point(k->scene, &hit, p.direction, &h);
+        cone_travel(&p.cone, hit.distance);
+        find_hit_point(k->scene, &hit, p.direction, p.cone.width, &h);
         /* a camera inside */
         if (!p.inside && h.is_back && is_solid(h.material)) p.inside = h.material;
         if (p.inside)
             p.throughput = absorbed(p.inside, p.throughput, v3_length(v3_sub(h.position, p.place)));
-        add_met_light(&p, h.emission, lamp_pdf(k->scene, &h, p.direction));
+        add_met_light(&p, h.emission, lamp_pdf(&p, &h));
         surface_of(&p, &h, v3_neg(p.direction), &s, &room);
         if (scatterings == 0) keep_first_hit(&p, &h, &s);
         if (scatterings == k->depth || h.material->is_unlit) break;
+        p.place = h.position;
+        p.facing = s.glass ? v3_all(0.0f) : h.geometric;
         add_drawn_light(&p, &h, &s, light);
         if (!scatter(&p, &h, &s, scatterings + 1)) break;
     }
@@ -534,7 +612,7 @@ int lobe_first_surface(const lobe_scene *s, vec3 origin, vec3 direction,
         near = past(hit.distance);
     } while (opacity_at(s, &hit) < 0.5f);
     hit_point h;
-    find_hit_point(s, &hit, direction, &h);
+    find_hit_point(s, &hit, direction, 0.0f, &h);
     const material *m = h.material;
     const vec3 packed = sample_map(s, &m->surface_map, &h, v3_all(1.0f));
     const float metallic = m->metallic * packed.z, step = (m->ior - 1.0f) / (m->ior + 1.0f);

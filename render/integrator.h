@@ -16,6 +16,11 @@ typedef struct integrator {
     int depth, roulette_depth;
     int keeps_vndf_integral; /* of the first surface */
     ray_log *log;            /* of a single thread; NULL: rays are not noted */
+    int has_light_tree;      /* lights are chosen by it */
+    /* Over what textures are averaged (cone.h). All 0: textures are taken as they are. */
+    vec3 axis;         /* of the camera, unit */
+    float pixel_angle; /* of a camera ray along the axis */
+    float share;       /* of what a direction that was drawn stands for, as a width */
 } integrator;
 
 /* `rays` is raised by the rays traced. */

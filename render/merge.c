@@ -89,7 +89,8 @@ static lobe_render_result check_same_render(const char *path, const lobe_film *m
                          "%s: its %s is %s, that of %s is %s; merge pictures of the same scene and "
                          "options",
                          path, d.key, d.other, first, d.value);
-    if (more->width == sum->width && more->height == sum->height && more->aovs == sum->aovs)
+    if (more->width == sum->width && more->height == sum->height && more->aovs == sum->aovs &&
+        !more->weights == !sum->weights)
         return LOBE_RENDER_OK;
     return lobe_fail(LOBE_RENDER_BAD_INPUT,
                      "%s: size or channels are not those of %s; merge pictures of the same options",
@@ -135,7 +136,10 @@ static lobe_render_result add(lobe_film *sum, const lobe_film *more, source *sou
         result = check_seeds(own, &sources[i], pixels_of(sum));
     if (result == LOBE_RENDER_OK) result = check_sum(own->path, more, sum);
     if (result != LOBE_RENDER_OK) return result;
-    lobe_film_add_part(sum, 0, 0, more);
+    lobe_film_add_part(sum, 0, 0, more, 1.0);
+    free(sum->tiles); /* no render goes on from a sum of several */
+    sum->tiles = NULL;
+    sum->round = 0;
     sum->metadata.is_rounded |= more->metadata.is_rounded;
     return unite_seeds(sum, own) ? LOBE_RENDER_OK : lobe_fail_memory(own->path);
 }

@@ -23,10 +23,10 @@ lobe_render_result lobe_rays_create(const lobe_scene *scene, lobe_rays **rays) {
         return lobe_fail_memory(scene->name);
     }
     r->coats = coats;
-    r->integrator = (integrator){scene,   {.ggx = o.reflection, .multiscatter = o.multiscatter},
-                                 coats,   o.heuristic,
-                                 o.depth, o.roulette_depth,
-                                 0,       NULL};
+    r->integrator = (integrator){scene,      {.ggx = o.reflection, .multiscatter = o.multiscatter},
+                                 coats,      o.heuristic,
+                                 o.depth,    o.roulette_depth,
+                                 .log = NULL};
     *rays = r;
     return LOBE_RENDER_OK;
 }

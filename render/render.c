@@ -8,6 +8,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "adaptive.h"
 #include "camera_rays.h"
 #include "crew.h"
 #include "exr_film.h"
@@ -38,6 +39,12 @@ const char *lobe_heuristic_name(lobe_heuristic heuristic) {
     return (unsigned)heuristic < 4u ? heuristics[heuristic].name : NULL;
 }
 
+static const char *const light_choices[] = {"auto", "power", "tree"};
+
+const char *lobe_light_choice_name(lobe_light_choice choice) {
+    return (unsigned)choice < 3u ? light_choices[choice] : NULL;
+}
+
 lobe_render_options lobe_render_default_options(void) {
     lobe_reflection_options reflection = lobe_reflection_default_options();
     reflection.model.method = LOBE_METHOD_COUNT; /* by surface: render/material.c */
@@ -47,6 +54,7 @@ lobe_render_options lobe_render_default_options(void) {
                                  .samples = 64,
                                  .depth = 8,
                                  .roulette_depth = 5,
+                                 .footprint = -1.0f,
                                  .heuristic = LOBE_HEURISTIC_BALANCE,
                                  .checkpoint_seconds = 60.0,
                                  .part = 1,
@@ -101,7 +109,8 @@ static film_sample render_sample(const job *j, int x, int y, sampler points, uin
     if (o->aovs & LOBE_AOV_BIT(LOBE_AOV_MOTION))
         lobe_camera_motion(&j->camera, &j->previous, origin, direction, sample.depth,
                            sample.motion);
-    sample.is_first_half = lobe_film_is_first_half(points.index);
+    sample.is_first_half = o->is_adaptive ? !(points.index & ADAPTIVE_HALF_BLOCK)
+                                          : lobe_film_is_first_half(points.index);
     return sample;
 }
 
@@ -113,9 +122,9 @@ static void render_tile(const void *user, const unit *u, lobe_film *tile, uint64
     const int left = (int)u->tile % across * TILE, top = (int)u->tile / across * TILE;
     for (int y = 0; y < TILE && top + y < o->height; y++)
         for (int x = 0; x < TILE && left + x < o->width; x++) {
-            sampler points = {
-                .key = lobe_sampler_key(o->seed, (uint32_t)(left + x), (uint32_t)(top + y)),
-                .index_bits = lobe_sampler_index_bits(o->samples)};
+            sampler points = {.key = lobe_sampler_round_key(o->seed, (uint32_t)(left + x),
+                                                            (uint32_t)(top + y), u->round),
+                              .index_bits = lobe_sampler_index_bits(u->of)};
             for (uint32_t i = u->first; i < u->first + u->count; i++) {
                 points.index = i;
                 const film_sample sample = render_sample(j, left + x, top + y, points, rays);
@@ -163,6 +172,11 @@ static void aim(job *j) {
     j->previous =
         o->previous_view ? lobe_camera_rays(o->previous_view, o->width, o->height) : j->camera;
     if (o->aperture > 0.0f) lobe_camera_add_lens(&j->camera, o->aperture, o->focus);
+    integrator *k = &j->integrator;
+    const float few = maxf(1.0f / sqrtf((float)o->samples), 0.125f);
+    k->share = o->footprint >= 0.0f ? o->footprint : few;
+    k->axis = j->camera.forward;
+    k->pixel_angle = k->share * 2.0f * v3_length(j->camera.up) / (float)o->height;
 }
 
 const char *lobe_render_method_name(lobe_method method) {
@@ -208,9 +222,13 @@ static lobe_render_result check_options(const lobe_render_options *o) {
     if (o->part < 1 || o->part > o->parts)
         return lobe_fail(LOBE_RENDER_BAD_INPUT, "part: there is no part %u of %u; use 1 to %u",
                          o->part, o->parts, o->parts);
-    if (o->parts > 1 && o->noise > 0.0)
+    if (o->parts > 1 && (o->noise > 0.0 || o->is_adaptive))
         return lobe_fail(LOBE_RENDER_BAD_INPUT,
                          "part: a part does not know the noise of the others; leave one out");
+    if (o->is_adaptive && o->samples < ADAPTIVE_SAMPLES_MIN)
+        return lobe_fail(LOBE_RENDER_BAD_INPUT,
+                         "samples: %u are too few to tell noise by; use %d or more", o->samples,
+                         ADAPTIVE_SAMPLES_MIN);
     const lobe_model model = o->reflection.model;
     if (o->multiscatter == LOBE_MULTISCATTER_WALK &&
         (model.masking != LOBE_MASKING_SMITH || o->reflection.g2 != LOBE_G2_CORRELATED))
@@ -224,9 +242,10 @@ static lobe_render_result check_options(const lobe_render_options *o) {
                          "lobe/render.h");
     if (!is_offered(model) || (unsigned)o->multiscatter > LOBE_MULTISCATTER_WALK ||
         !(o->reflection.floor >= 0.0 && o->reflection.floor <= 1.0) ||
-        (unsigned)o->heuristic >= 4u || (o->view && !is_view(o->view)) ||
-        (o->previous_view && !is_view(o->previous_view)) || !is_lens(o) ||
-        !(o->time_limit >= 0.0) || !(o->noise >= 0.0) || !(o->checkpoint_seconds >= 0.0))
+        (unsigned)o->heuristic >= 4u || (unsigned)o->light_choice >= 3u ||
+        (o->view && !is_view(o->view)) || (o->previous_view && !is_view(o->previous_view)) ||
+        !is_lens(o) || !(o->footprint <= 1000.0f) || !(o->time_limit >= 0.0) ||
+        !(o->noise >= 0.0) || !(o->checkpoint_seconds >= 0.0))
         return lobe_fail(LOBE_RENDER_BAD_INPUT,
                          "options: a value is out of range; see lobe/render.h");
     return LOBE_RENDER_OK;
@@ -327,7 +346,8 @@ static lobe_render_result open_film(crew *c, const job *j, const char *identity)
         if (result == LOBE_RENDER_OK) result = check_resumed(c->film, o, identity);
     } else {
         c->film = lobe_film_create(o->width, o->height, o->aovs);
-        if (!c->film) result = lobe_fail_memory("film");
+        if (!c->film || (o->is_adaptive && !lobe_adaptive_begin(c->film, o->samples)))
+            result = lobe_fail_memory("film");
     }
     if (result == LOBE_RENDER_OK && !describe(c->film, j, identity))
         result = lobe_fail_memory("film");
@@ -382,6 +402,13 @@ static lobe_render_result lead(crew *c, lobe_film **film, lobe_render_statistics
     return c->is_cancelled ? LOBE_RENDER_INTERRUPTED : LOBE_RENDER_OK;
 }
 
+/* With few lights, what the tree costs is more than what it gains. */
+static int has_light_tree(const lobe_scene *s, lobe_light_choice choice) {
+    enum { FEW = 15 };
+    if (choice != LOBE_LIGHTS_AUTOMATIC) return choice == LOBE_LIGHTS_TREE;
+    return s->light_count + s->lamp_count > FEW;
+}
+
 static lobe_render_result render_with(const coat_table *const *coats, const lobe_scene *scene,
                                       lobe_render_options *options, ray_log *log, lobe_film **film,
                                       lobe_render_statistics *statistics) {
@@ -399,7 +426,8 @@ static lobe_render_result render_with(const coat_table *const *coats, const lobe
         options->depth,
         options->roulette_depth,
         (options->aovs & LOBE_AOV_BIT(LOBE_AOV_VNDF_INTEGRAL)) != 0,
-        log};
+        .has_light_tree = has_light_tree(scene, options->light_choice),
+        .log = log};
     char identity[IDENTITY_ROOM] = "";
     lobe_render_result result = find_view(scene, options, &j.view);
     if (result == LOBE_RENDER_OK) {
@@ -450,9 +478,11 @@ lobe_render_result lobe_render(const lobe_scene *scene, lobe_render_options opti
 /* ---- What need not be rendered again --------------------------------------------------------- */
 
 static int has_all_samples(const lobe_film *film, const lobe_render_options *o) {
-    if (film->aovs != o->aovs || film->width != o->width || film->height != o->height) return 0;
+    if (film->aovs != o->aovs || film->width != o->width || film->height != o->height ||
+        (film->weights != NULL) != o->is_adaptive)
+        return 0;
     for (size_t i = 0; i < (size_t)film->width * (size_t)film->height; i++)
-        if (film->pixels[i].samples != (is_in_part(o, i) ? o->samples : 0)) return 0;
+        if (lobe_film_weight(film, i) != (is_in_part(o, i) ? (double)o->samples : 0.0)) return 0;
     return 1;
 }
 

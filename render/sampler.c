@@ -52,8 +52,12 @@ uint32_t lobe_sampler_index_bits(uint32_t samples) {
     return bits;
 }
 
+uint32_t lobe_sampler_round_key(uint64_t seed, uint32_t x, uint32_t y, uint32_t round) {
+    return lobe_random(seed, ((uint64_t)y << 32) | x, round).word[0];
+}
+
 uint32_t lobe_sampler_key(uint64_t seed, uint32_t x, uint32_t y) {
-    return lobe_random(seed, ((uint64_t)y << 32) | x, 0).word[0];
+    return lobe_sampler_round_key(seed, x, y, 0);
 }
 
 sampler_point lobe_sampler_next(sampler *s) {

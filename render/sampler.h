@@ -24,6 +24,9 @@ typedef struct sampler_point {
 uint32_t lobe_sampler_index_bits(uint32_t samples);
 uint32_t lobe_sampler_key(uint64_t seed, uint32_t x, uint32_t y);
 
+/* The same for points that are independent of those of other rounds; round 0: that of lobe_sampler_key. */
+uint32_t lobe_sampler_round_key(uint64_t seed, uint32_t x, uint32_t y, uint32_t round);
+
 /* The next four dimensions. */
 sampler_point lobe_sampler_next(sampler *s);
 

@@ -156,6 +156,7 @@ void lobe_scene_free(lobe_scene *s) {
     for (uint32_t i = 0; i < s->texture_count; i++) lobe_texture_free(&s->textures[i]);
     if (s->has_sky) lobe_environment_free(&s->sky);
     lobe_alias_free(&s->light_table);
+    lobe_light_tree_free(&s->light_tree);
     lobe_inventory_free(&s->inventory);
     free(s->vertices);
     free(s->triangles);
@@ -201,7 +202,46 @@ static size_t count_lights(const lobe_scene *s) {
     return count;
 }
 
-/* Lights are chosen by power. */
+static light_bounds bounds_of_triangle(const lobe_scene *s, const triangle *t) {
+    const vec3 a = s->vertices[t->vertex[0]].position, b = s->vertices[t->vertex[1]].position,
+               c = s->vertices[t->vertex[2]].position;
+    const vec3 normal = v3_cross(v3_sub(b, a), v3_sub(c, a));
+    return (light_bounds){
+        .low = v3(minf(a.x, minf(b.x, c.x)), minf(a.y, minf(b.y, c.y)), minf(a.z, minf(b.z, c.z))),
+        .high = v3(maxf(a.x, maxf(b.x, c.x)), maxf(a.y, maxf(b.y, c.y)), maxf(a.z, maxf(b.z, c.z))),
+        .axis = v3_normalize_or(normal, v3(0.0f, 1.0f, 0.0f)),
+        .beyond = 0.5f * LOBE_PI,
+        .two_sided = 1};
+}
+
+static light_bounds bounds_of_lamp(const lamp *l) {
+    const int is_spot = l->kind == LAMP_SPOT;
+    return (light_bounds){.low = l->position,
+                          .high = l->position,
+                          .axis = v3_normalize_or(l->direction, v3(0.0f, 1.0f, 0.0f)),
+                          .spread = is_spot ? 0.0f : LOBE_PI,
+                          .beyond =
+                              is_spot ? acosf(clampf(l->cos_outer, -1.0f, 1.0f)) : 0.5f * LOBE_PI};
+}
+
+/* 0: no memory. */
+static int plant_light_tree(lobe_scene *s) {
+    const uint32_t count = s->light_count + s->lamp_count;
+    if (!s->light_table.shares) return 1;
+    light_bounds *lights = malloc(((size_t)count + 1) * sizeof *lights);
+    for (uint32_t i = 0; lights && i < count; i++) {
+        const lamp *l = i < s->light_count ? NULL : &s->lamps[i - s->light_count];
+        lights[i] = l ? bounds_of_lamp(l) : bounds_of_triangle(s, &s->triangles[s->lights[i]]);
+        const int is_far = l && l->kind == LAMP_DIRECTIONAL;
+        if (is_far) s->far_share += s->light_table.shares[i];
+        lights[i].power = is_far ? 0.0f : s->light_table.shares[i];
+    }
+    const int is_good = lights && lobe_light_tree_create(&s->light_tree, lights, count);
+    free(lights);
+    if (!s->light_tree.nodes) s->far_share = 1.0f;
+    return is_good;
+}
+
 static int collect_lights(lobe_scene *s) {
     const size_t count = count_lights(s);
     s->lights = malloc((count + 1) * sizeof *s->lights);
@@ -222,7 +262,8 @@ static int collect_lights(lobe_scene *s) {
     }
     for (uint32_t i = 0; ok && i < s->lamp_count; i++)
         powers[s->light_count + i] = fmin(power_of_lamp(s, &s->lamps[i]), POWER_MAX);
-    ok = ok && lobe_alias_create(&s->light_table, powers, s->light_count + s->lamp_count);
+    ok = ok && lobe_alias_create(&s->light_table, powers, s->light_count + s->lamp_count) &&
+         plant_light_tree(s);
     free(powers);
     return ok;
 }
@@ -328,12 +369,27 @@ static void fill_info(lobe_scene *s) {
                              s->triangle_count * sizeof *s->triangles +
                              s->instance_count * sizeof *s->instances;
     for (uint32_t i = 0; i < s->texture_count; i++)
-        s->info.texture_bytes += (uint64_t)s->textures[i].channels *
-                                 (uint64_t)s->textures[i].width * (uint64_t)s->textures[i].height;
+        s->info.texture_bytes += lobe_texture_bytes(&s->textures[i]);
     s->info.low = s->low;
     s->info.high = s->high;
     s->info.lamps = s->lamp_count;
     s->info.tree_bytes = lobe_tracer_bytes(s->tracer, &s->info.tree_peak_bytes);
+}
+
+enum { AVERAGED_MAPS_MAX = 7 };
+
+/* The textures that are averaged over a footprint. Not those of directions: the mean of normals is another surface. Nor the
+ * colour of what is cut out by its alpha: what is not there has a colour too. */
+static int averaged_maps(const material *m, const texture_map *maps[AVERAGED_MAPS_MAX]) {
+    const texture_map *const all[] = {&m->surface_map,      &m->emission_map,
+                                      &m->transmission_map, &m->specular_color_map,
+                                      &m->clearcoat_map,    &m->clearcoat_roughness_map,
+                                      &m->base_map};
+    const int last = m->alpha_mode == ALPHA_OPAQUE;
+    int count = 0;
+    for (int i = 0; i < AVERAGED_MAPS_MAX - !last; i++)
+        if (all[i]->texture != NO_TEXTURE) maps[count++] = all[i];
+    return count;
 }
 
 void lobe_material_settle(material *m) {
@@ -342,6 +398,20 @@ void lobe_material_settle(material *m) {
                        m->stretch > 0.0f || m->clearcoat > 0.0f;
     m->is_matte = m->metallic == 0.0f && m->specular == 0.0f && m->transmission == 0.0f &&
                   m->clearcoat == 0.0f;
+    const texture_map *maps[AVERAGED_MAPS_MAX];
+    m->is_averaged = averaged_maps(m, maps) > 0;
+}
+
+static int add_levels(lobe_scene *s) {
+    const texture_map *maps[AVERAGED_MAPS_MAX];
+    for (uint32_t i = 0; i < s->material_count; i++) {
+        const int count = averaged_maps(&s->materials[i], maps);
+        for (int k = 0; k < count; k++)
+            if (maps[k]->levels != LEVELS_NONE &&
+                !lobe_texture_add_levels(&s->textures[maps[k]->texture]))
+                return 0;
+    }
+    return 1;
 }
 
 static int has_anisotropy(const lobe_scene *s) {
@@ -412,6 +482,7 @@ static lobe_render_result finish(lobe_scene *s, const lobe_scene_options *option
     if (result != LOBE_RENDER_OK) return result;
     s->has_anisotropy = has_anisotropy(s);
     for (uint32_t i = 0; i < s->material_count; i++) lobe_material_settle(&s->materials[i]);
+    if (!add_levels(s)) return lobe_fail_memory(s->name);
     if (s->warnings.failed) return LOBE_RENDER_BAD_INPUT;
     fill_info(s);
     return LOBE_RENDER_OK;

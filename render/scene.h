@@ -4,6 +4,7 @@
 
 #include "affine.h"
 #include "environment.h"
+#include "light_tree.h"
 #include "material.h"
 #include "lobe/render.h"
 #include "message.h"
@@ -39,6 +40,7 @@ typedef struct material {
     coat_tint tint;    /* where no texture varies it */
     int has_direction; /* it looks different when it is turned about its normal: it needs a tangent */
     int is_matte;      /* a base without a coat, and nothing else */
+    int is_averaged;   /* it has a texture of which means over a footprint are taken */
 } material;
 
 typedef struct vertex {
@@ -101,6 +103,8 @@ struct lobe_scene {
     float *light_areas;
     uint32_t light_count;
     alias_table light_table; /* of them, then of the lamps */
+    light_tree light_tree;   /* of the same, but for directional lamps: */
+    float far_share;         /* their part of all power */
     int is_opaque;           /* every triangle */
     environment sky;
     int has_sky;

@@ -14,7 +14,7 @@ texture_map lobe_texture_map(int texture) {
 /* stb_image allocates by malloc, and so does lobe_texture_solid: free fits both. */
 static int adopt(texture *t, unsigned char *texels, int width, int height, int channels,
                  int is_srgb) {
-    *t = (texture){width, height, channels, is_srgb, texels};
+    *t = (texture){width, height, channels, is_srgb, .texels = texels};
     return texels != NULL;
 }
 
@@ -55,7 +55,10 @@ int lobe_texture_solid(texture *t, vec3 color, int is_srgb) {
 
 void lobe_texture_free(texture *t) {
     free(t->texels);
+    free(t->levels);
     t->texels = NULL;
+    t->levels = NULL;
+    t->level_count = 0;
 }
 
 /* The place of (u, v) among the texels: the upper left of four, and the shares of the others. */
@@ -88,44 +91,75 @@ static int place_on(float u, int size, texture_wrap how, int is_nearest, int *ne
     return i < size ? i : size - 1;
 }
 
-static texel_place place_of(const texture *t, const texture_map *map, float u, float v) {
+static texel_place place_of(const texture_level *t, const texture_map *map, int is_nearest, float u,
+                            float v) {
     const float mu = map->u[0] * u + map->u[1] * v + map->u[2];
     const float mv = map->v[0] * u + map->v[1] * v + map->v[2];
     texel_place p = {0};
     if (!isfinite(mu) || !isfinite(mv)) return p;
-    p.x = place_on(mu, t->width, map->wrap_u, map->is_nearest, &p.next_x, &p.share_x);
-    p.y = place_on(mv, t->height, map->wrap_v, map->is_nearest, &p.next_y, &p.share_y);
+    p.x = place_on(mu, t->width, map->wrap_u, is_nearest, &p.next_x, &p.share_x);
+    p.y = place_on(mv, t->height, map->wrap_v, is_nearest, &p.next_y, &p.share_y);
     return p;
 }
 
-static const unsigned char *texel_bytes(const texture *t, int x, int y) {
-    return t->texels + (size_t)t->channels * ((size_t)y * (size_t)t->width + (size_t)x);
+static texture_level whole(const texture *t) {
+    return (texture_level){t->texels, t->width, t->height};
 }
 
-static vec3 texel(const texture *t, int x, int y) {
-    const unsigned char *c = texel_bytes(t, x, y);
+static const unsigned char *texel_bytes(const texture_level *t, int channels, int x, int y) {
+    return t->texels + (size_t)channels * ((size_t)y * (size_t)t->width + (size_t)x);
+}
+
+static vec3 texel(const texture *t, const texture_level *level, int x, int y) {
+    const unsigned char *c = texel_bytes(level, t->channels, x, y);
     vec3 value = {c[0] / 255.0f, c[1] / 255.0f, c[2] / 255.0f};
     if (!t->is_srgb) return value;
     return v3(lobe_srgb_to_linear(value.x), lobe_srgb_to_linear(value.y),
               lobe_srgb_to_linear(value.z));
 }
 
-vec3 lobe_texture_at(const texture *t, const texture_map *map, float u, float v) {
-    const texel_place p = place_of(t, map, u, v);
-    vec3 top = v3_lerp(texel(t, p.x, p.y), texel(t, p.next_x, p.y), p.share_x);
-    vec3 bottom = v3_lerp(texel(t, p.x, p.next_y), texel(t, p.next_x, p.next_y), p.share_x);
+static vec3 level_at(const texture *t, texture_level l, const texture_map *map, int is_nearest,
+                     float u, float v) {
+    const texel_place p = place_of(&l, map, is_nearest, u, v);
+    vec3 top = v3_lerp(texel(t, &l, p.x, p.y), texel(t, &l, p.next_x, p.y), p.share_x);
+    vec3 bottom = v3_lerp(texel(t, &l, p.x, p.next_y), texel(t, &l, p.next_x, p.next_y), p.share_x);
     return v3_lerp(top, bottom, p.share_y);
 }
 
-static float alpha(const texture *t, int x, int y) {
-    return texel_bytes(t, x, y)[3] / 255.0f;
+/* Texels under the side of a square of (u, v). */
+static float texels_across(const texture *t, const texture_map *map, float footprint) {
+    const float area = fabsf(map->u[0] * map->v[1] - map->u[1] * map->v[0]);
+    return footprint * sqrtf(area * (float)t->width * (float)t->height);
+}
+
+/* Level 0 is the texture itself. */
+static vec3 small_at(const texture *t, const texture_map *map, float u, float v, int level) {
+    if (level > t->level_count) level = t->level_count;
+    return level_at(t, level > 0 ? t->levels[level - 1] : whole(t), map, map->is_nearest_small, u,
+                    v);
+}
+
+vec3 lobe_texture_at(const texture *t, const texture_map *map, float u, float v, float footprint) {
+    const float across = footprint > 0.0f ? texels_across(t, map, footprint) : 0.0f;
+    if (!(across > 1.0f)) return level_at(t, whole(t), map, map->is_nearest, u, v);
+    if (map->levels == LEVELS_NONE) return small_at(t, map, u, v, 0);
+    const float level = minf(log2f(across), 31.0f), low = floorf(level);
+    if (map->levels == LEVELS_NEAREST) return small_at(t, map, u, v, (int)(level + 0.5f));
+    return v3_lerp(small_at(t, map, u, v, (int)low), small_at(t, map, u, v, (int)low + 1),
+                   level - low);
+}
+
+static float alpha(const texture *t, const texture_level *level, int x, int y) {
+    return texel_bytes(level, t->channels, x, y)[3] / 255.0f;
 }
 
 float lobe_texture_alpha_at(const texture *t, const texture_map *map, float u, float v) {
     if (t->channels < 4) return 1.0f;
-    const texel_place p = place_of(t, map, u, v);
-    const float top = (1.0f - p.share_x) * alpha(t, p.x, p.y) + p.share_x * alpha(t, p.next_x, p.y);
-    const float bottom =
-        (1.0f - p.share_x) * alpha(t, p.x, p.next_y) + p.share_x * alpha(t, p.next_x, p.next_y);
+    const texture_level l = whole(t);
+    const texel_place p = place_of(&l, map, map->is_nearest, u, v);
+    const float top =
+        (1.0f - p.share_x) * alpha(t, &l, p.x, p.y) + p.share_x * alpha(t, &l, p.next_x, p.y);
+    const float bottom = (1.0f - p.share_x) * alpha(t, &l, p.x, p.next_y) +
+                         p.share_x * alpha(t, &l, p.next_x, p.next_y);
     return (1.0f - p.share_y) * top + p.share_y * bottom;
 }

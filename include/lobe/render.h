@@ -276,6 +276,16 @@ LOBE_API const char *lobe_metal_name(size_t index);
 /* reflection.model.method may be LOBE_METHOD_COUNT, the default: by surface. Of Smith-GGX dielectrics and metals
  * of an alpha below 0.1 then take bounded caps and other metals horizon sampling, uniform where the shading
  * normal is tilted by 10 degrees or more; any other distribution takes its best method. */
+/* How a lamp or an emissive triangle is chosen to light a place. */
+typedef enum lobe_light_choice {
+    LOBE_LIGHTS_AUTOMATIC, /* by power where there are at most 15, else by the tree */
+    LOBE_LIGHTS_POWER,
+    LOBE_LIGHTS_TREE /* by what they may send to the place: their power, distance and direction */
+} lobe_light_choice;
+
+/* "auto", "power", "tree"; NULL out of range. */
+LOBE_API const char *lobe_light_choice_name(lobe_light_choice choice);
+
 typedef struct lobe_render_options {
     lobe_reflection_options reflection; /* default Smith-GGX by LOBE_METHOD_COUNT; floor 0.25 */
     lobe_multiscatter multiscatter;     /* WALK: Smith, correlated only; default NONE */
@@ -301,8 +311,13 @@ typedef struct lobe_render_options {
      * lobe_scene_focus of the view, and LOBE_RENDER_BAD_INPUT if nothing is there. */
     float focus;
 
-    lobe_heuristic heuristic; /* default LOBE_HEURISTIC_BALANCE */
-    uint32_t aovs;            /* LOBE_AOV_BIT(…) of the extra channels to keep; default 0 */
+    /* Over how much of a pixel textures are averaged, as a width: 1 is all of it, 0 takes texels as they are; at most 1000.
+     * Negative, the default: 1 / sqrt(samples), at least 1/8, so that more samples make a sharper picture. */
+    float footprint;
+
+    lobe_light_choice light_choice; /* default LOBE_LIGHTS_AUTOMATIC */
+    lobe_heuristic heuristic;       /* default LOBE_HEURISTIC_BALANCE */
+    uint32_t aovs;                  /* LOBE_AOV_BIT(…) of the extra channels to keep; default 0 */
     lobe_progress_function progress; /* NULL: none */
     void *progress_user;
     const volatile sig_atomic_t *cancel; /* not NULL: rendering ends soon after *cancel != 0 */
@@ -315,6 +330,9 @@ typedef struct lobe_render_options {
                                   and is `checkpoint` too, start. NULL: start */
     double noise; /* stop at the end of a pass when lobe_render_statistics.noise is at most this;
                                   0: never; default 0 */
+    /* 1: `samples`, at least 64, are a mean over the picture, and more of them go where noise is; the expectation of
+     * every pixel stays what it is. Needs all parts. A pixel's own number is known only in the end. Default 0. */
+    int is_adaptive;
     uint32_t part,
         parts; /* render tiles part, part + parts, … only, for lobe_film_merge; default 1, 1 */
     lobe_warning_function

@@ -27,7 +27,7 @@ static int make_map(texture *t) {
             c[1] = (unsigned char)(127.5f * n.y + 128.0f);
             c[2] = (unsigned char)(127.5f * n.z + 128.0f);
         }
-    *t = (texture){SIZE, SIZE, 3, 0, rgb};
+    *t = (texture){SIZE, SIZE, 3, 0, .texels = rgb};
     return 1;
 }
 

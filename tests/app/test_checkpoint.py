@@ -20,7 +20,14 @@ class KillTest(LongTest):
     def test_kill_at_any_moment(self):
         """Killed again and again, with other numbers of threads, the picture is the same file; a checkpoint is at all
         times whole or not there."""
-        scene = ["cornell", "--size", "64x36", "--spp", "30", "--aov", "albedo,rejected"]
+        self.kill_often(KILLS, ["cornell", "--size", "64x36", "--spp", "30", "--aov",
+                                "albedo,rejected"])
+
+    def test_kill_of_an_adaptive_one(self):
+        """With a plan to lose."""
+        self.kill_often(KILLS // 2, ["cornell", "--size", "40x24", "--spp", "70", "--adaptive"])
+
+    def kill_often(self, wanted, scene):
         start = time.monotonic()
         self.done("render", *scene, "-o", self.path("whole.exr"))
         longest = 1.5 * (time.monotonic() - start)
@@ -28,8 +35,8 @@ class KillTest(LongTest):
         kills = went_on = 0
         command = [PROGRAM, "render", *scene, "-o", self.path("a.exr"), "--checkpoint",
                    self.path("c"), "--resume", self.path("c"), "--checkpoint-every", "0.1"]
-        while kills < KILLS or not (self.folder / "a.exr").exists():
-            is_last = kills >= KILLS
+        while kills < wanted or not (self.folder / "a.exr").exists():
+            is_last = kills >= wanted
             went_on += (self.folder / "c").exists()
             with subprocess.Popen([*command, "--threads", str(generator.randint(1, 3))],
                                   stderr=subprocess.PIPE) as process:
@@ -42,7 +49,7 @@ class KillTest(LongTest):
             if status == 0:
                 self.assertEqual(self.bytes_of("a.exr"), self.bytes_of("whole.exr"))
                 self.assertEqual(set(os.listdir(self.folder)), {"whole.exr", "a.exr", "c"})
-                if kills < KILLS:
+                if kills < wanted:
                     (self.folder / "a.exr").unlink()
                     (self.folder / "c").unlink()
             elif (self.folder / "c").exists():
@@ -105,6 +112,8 @@ class KillTest(LongTest):
         self.assertEqual((self.folder / "foreign").read_text(), "a letter")
         self.rejected("render", *SMALL, "-o", self.path("b.exr"), "--checkpoint",
                       self.path("b.exr"), where="--checkpoint")
+        for more, where in ((("--spp", "63"), "--adaptive"), (("--part", "1/2"), "--adaptive")):
+            self.rejected("render", *SMALL[:3], "--json", "--adaptive", *more, where=where)
         self.rejected("render", *SMALL, "--checkpoint", "/no/such/folder/c", status=(1,))
         for option, values in (("--part", ["", "0/2", "3/2", "1", "1/2/3", "a/b", "1/1000001"]),
                                ("--noise", ["-1", "nan", ""]), ("--checkpoint-every", ["-1", "x"])):
@@ -114,7 +123,11 @@ class KillTest(LongTest):
 
 class StopTest(LongTest):
     def test_noise_is_an_end_that_can_be_gone_on_to(self):
-        scene = ["render", "cornell", "--size", "40x24", "--spp", "4096", "--noise", "0.2"]
+        for how in ([], ["--adaptive"]):
+            self.stop_early(["render", "cornell", "--size", "40x24", "--spp", "4096", "--noise", "0.2",
+                             *how])
+
+    def stop_early(self, scene):
         whole = json.loads(self.done(*scene, "--json", "-o", self.path("whole.exr")))
         self.assertLessEqual(whole["noise"], 0.2)
         self.assertLess(whole["spp"], 4096)

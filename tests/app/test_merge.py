@@ -51,6 +51,31 @@ class MergeTest(LongTest):
         self.merge("n.pfm", "b", "a")
         self.assertEqual(self.bytes_of("m.pfm"), self.bytes_of("n.pfm"))
 
+    def test_adaptive_seeds(self):
+        """Averaged by the samples that were asked for, not by those that the noise took; as pictures and checkpoints."""
+        scene = [*SMALL[:3], "--adaptive"]
+        for name, seed, spp in (("a", "1", "64"), ("b", "2", "192")):
+            self.done("render", *scene, "--spp", spp, "--seed", seed, "-o",
+                      self.path(name + ".exr"), "--checkpoint", self.path(name))
+            self.done("merge", self.path(name), "-o", self.path(name + ".pfm"))
+        self.assertIn(b"weights.Y", self.bytes_of("a.exr"))
+        self.merge("m.pfm", "a", "b")
+        a, b, m = (self.means(name + ".pfm") for name in "abm")
+        for x, y, z in zip(a, b, m):
+            self.assertAlmostEqual((x + 3 * y) / 4, z, delta=1e-6 * (1 + z))
+        self.merge("n.pfm", "b.exr", "a.exr")
+        for x, y in zip(m, self.means("n.pfm")):
+            self.assertAlmostEqual(x, y, delta=1e-3 * (1 + x))  # of halves
+        self.merge("one.checkpoint", "a")
+        self.assertEqual(self.bytes_of("one.checkpoint")[3000:-16], self.bytes_of("a")[3000:-16])
+        self.merge("two.checkpoint", "a", "b")
+        self.render("even.exr", "--seed", "3")
+        self.rejected("render", *scene, "--spp", "64", "--json", "--resume",
+                      self.path("two.checkpoint"))
+        error = self.rejected("merge", self.path("a"), self.path("even.exr"), "-o",
+                              self.path("x.exr")).stderr
+        self.assertIn(b"its adaptive is none, that of", error)
+
     def test_refused(self):
         one = self.render("1.exr", "--checkpoint", self.path("1"))
         self.render("2.exr", "--seed", "2")

@@ -69,10 +69,11 @@ class RanksTest(FolderTest):
         self.assertIn(b"b.0002.exr: cannot be written", result.stderr)
 
     def test_noise_ends_all(self):
-        scene = ["gallery", "--size", "70x40", "--spp", "4096", "--noise", "0.12"]
-        self.done("render", *scene, "-o", self.path("one.exr"))
-        self.assertEqual(self.together(2, *scene, "-o", self.path("a.exr")).returncode, 0)
-        self.assertEqual(self.bytes_of("a.exr"), self.bytes_of("one.exr"))
+        for how in ([], ["--adaptive"]):
+            scene = ["gallery", "--size", "70x40", "--spp", "4096", "--noise", "0.12", *how]
+            self.done("render", *scene, "-o", self.path("one.exr"))
+            self.assertEqual(self.together(2, *scene, "-o", self.path("a.exr")).returncode, 0)
+            self.assertEqual(self.bytes_of("a.exr"), self.bytes_of("one.exr"))
 
     def test_one_complaint(self):
         result = self.together(3, "no-such-scene", "--json")

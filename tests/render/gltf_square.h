@@ -76,6 +76,7 @@ typedef struct square_file {
     const char *nodes;      /* from node 1 on: one of mesh 0; node 0 has the camera */
     const char *children;   /* of the scene: 0, 1 */
     const char *views;      /* after those of the arrays, with a comma before; and so the others: */
+    const char *min_filter; /* of the first sampler; none */
     const char *meshes, *textures, *images, *accessors, *buffers, *more;
     const void *binary; /* after the arrays */
     size_t binary_size;
@@ -144,7 +145,8 @@ static inline size_t print_square(const square_file *f, char *json) {
         "\"meshes\":[{\"primitives\":[{\"attributes\":{%s},\"material\":0%s}]}%s],"
         "\"materials\":[%s],"
         "\"textures\":[{\"source\":0,\"sampler\":1},{\"source\":1},{\"source\":0,\"sampler\":0}%s],"
-        "\"samplers\":[{\"wrapS\":33071,\"wrapT\":33648,\"magFilter\":9728},{\"magFilter\":9728}],"
+        "\"samplers\":[{\"wrapS\":33071,\"wrapT\":33648,\"magFilter\":9728%s},"
+        "{\"magFilter\":9728}],"
         "\"images\":[{\"bufferView\":12,\"mimeType\":\"image/png\"},"
         "{\"bufferView\":13,\"mimeType\":\"image/png\"}%s],"
         "\"bufferViews\":[%s%s],\"accessors\":[%s%s],\"buffers\":[{\"byteLength\":%zu}%s]%s}",
@@ -152,8 +154,9 @@ static inline size_t print_square(const square_file *f, char *json) {
         piece(f->attributes, "\"POSITION\":0,\"NORMAL\":1,\"TEXCOORD_0\":2"),
         piece(f->primitive, ",\"indices\":8"), piece(f->meshes, ""),
         piece(f->material, "{\"extensions\":{\"KHR_materials_unlit\":{}}}"), piece(f->textures, ""),
-        piece(f->images, ""), views, piece(f->views, ""), square_accessors, piece(f->accessors, ""),
-        sizeof square_arrays + f->binary_size, piece(f->buffers, ""), piece(f->more, ""));
+        piece(f->min_filter, ""), piece(f->images, ""), views, piece(f->views, ""),
+        square_accessors, piece(f->accessors, ""), sizeof square_arrays + f->binary_size,
+        piece(f->buffers, ""), piece(f->more, ""));
     if (n >= SQUARE_JSON_MAX) abort();
     return (size_t)n;
 }

@@ -155,11 +155,11 @@ static void other_options_are_named(void **state) {
     lobe_film_free(render(scene, good, NULL));
     good.checkpoint = NULL;
     good.resume = path;
-    lobe_render_options o[13];
+    lobe_render_options o[14];
     static const char *const names[] = {"spp",      "depth", "size",   "seed",         "part",
                                         "roulette", "aov",   "method", "multiscatter", "heuristic",
-                                        "g2",       "floor", "metal"};
-    for (int i = 0; i < 13; i++) o[i] = good;
+                                        "g2",       "floor", "metal",  "adaptive"};
+    for (int i = 0; i < 14; i++) o[i] = good;
     o[0].samples++;
     o[1].depth++;
     o[2].height++;
@@ -173,8 +173,10 @@ static void other_options_are_named(void **state) {
     o[10].reflection.g2 = LOBE_G2_SEPARABLE;
     o[11].reflection.floor = 0.5;
     assert_true(lobe_metal_from_name("gold", &o[12].metal));
+    o[13].is_adaptive = 1;
+    o[13].samples = 64;
     lobe_film *film;
-    for (int i = 0; i < 13; i++) {
+    for (int i = 0; i < 14; i++) {
         char expected[32];
         snprintf(expected, sizeof expected, "its %s is ", names[i]);
         assert_int_equal(lobe_render(scene, o[i], &film, NULL), LOBE_RENDER_BAD_INPUT);
@@ -202,10 +204,7 @@ static void count_down(void *user, const lobe_render_progress *progress) {
     if (--s->after <= 0) s->cancel = 1;
 }
 
-static void interrupted_anywhere_the_bits_are_the_same(void **state) {
-    (void)state;
-    lobe_scene *scene = load("gallery");
-    lobe_render_options o = small(50, 35, 37);
+static void interrupt_anywhere(const lobe_scene *scene, lobe_render_options o) {
     o.aovs = LOBE_AOV_BIT(LOBE_AOV_NORMAL) | LOBE_AOV_BIT(LOBE_AOV_REJECTED);
     lobe_film *whole = render(scene, o, NULL);
     o.checkpoint = path;
@@ -224,14 +223,65 @@ static void interrupted_anywhere_the_bits_are_the_same(void **state) {
         if (result == LOBE_RENDER_OK) {
             const size_t pixels = 50 * 35;
             assert_memory_equal(film->pixels, whole->pixels, pixels * sizeof *film->pixels);
+            if (o.is_adaptive)
+                assert_memory_equal(film->weights, whole->weights, pixels * sizeof(double));
             assert_memory_equal(film->first_hit, whole->first_hit,
                                 pixels * FILM_FIRST_HIT_VALUES * sizeof *film->first_hit);
         }
         lobe_film_free(film);
         assert_true(runs < 1000);
     }
-    assert_true(runs > 5);
+    assert_true(runs > 2);
     lobe_film_free(whole);
+}
+
+static void interrupted_anywhere_the_bits_are_the_same(void **state) {
+    (void)state;
+    lobe_scene *scene = load("gallery");
+    lobe_render_options o = small(50, 35, 37);
+    interrupt_anywhere(scene, o);
+    o.samples = 160;
+    o.is_adaptive = 1;
+    interrupt_anywhere(scene, o);
+    o.samples = 1000;
+    o.noise = 0.1;
+    interrupt_anywhere(scene, o);
+    lobe_scene_free(scene);
+}
+
+/* A right hash over a plan that cannot be. */
+static void impossible_plans_are_refused(void **state) {
+    (void)state;
+    lobe_scene *scene = load("furnace");
+    lobe_render_options o = small(20, 17, 64);
+    o.checkpoint = path;
+    o.is_adaptive = 1;
+    lobe_film *film = render(scene, o, NULL), *other = NULL;
+    const film_tile good = film->tiles[2];
+    film_tile bad[7];
+    for (int i = 0; i < 7; i++) bad[i] = good;
+    bad[0].done = 8;
+    bad[1].done = good.planned + 16;
+    bad[2].planned = 0;
+    bad[3].planned += 8;
+    bad[4].before = 0;
+    bad[5].squares = NAN;
+    bad[6].planned = UINT32_MAX - 15;
+    o.resume = path;
+    for (int i = 0; i < 7; i++) {
+        film->tiles[2] = bad[i];
+        assert_int_equal(lobe_checkpoint_write(path, film, (checkpoint_cost){0}), LOBE_RENDER_OK);
+        if (lobe_render(scene, o, &other, NULL) != LOBE_RENDER_BAD_INPUT)
+            fail_msg("plan %d is taken", i);
+    }
+    film->tiles[2] = good;
+    for (uint32_t round = 0; round < 40; round += round == 1 ? 2 : 1) { /* 2: the right one */
+        film->round = round;
+        assert_int_equal(lobe_checkpoint_write(path, film, (checkpoint_cost){0}), LOBE_RENDER_OK);
+        if (round != 2)
+            assert_int_equal(lobe_render(scene, o, &other, NULL), LOBE_RENDER_BAD_INPUT);
+    }
+    lobe_film_free(film);
     lobe_scene_free(scene);
 }
 
@@ -274,6 +324,7 @@ int main(void) {
         cmocka_unit_test_setup_teardown(other_options_are_named, set_up, tear_down),
         cmocka_unit_test_setup_teardown(interrupted_anywhere_the_bits_are_the_same, set_up,
                                         tear_down),
+        cmocka_unit_test_setup_teardown(impossible_plans_are_refused, set_up, tear_down),
         cmocka_unit_test(schedule_gives_every_sample_once)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

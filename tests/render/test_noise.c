@@ -15,14 +15,9 @@ static double luminance(const float *rgb) {
 
 /* The estimate is at least the truth, which it exceeds by what stratification gains beyond 16 samples, and not
  * much more. The truth: what RUNS independent pictures scatter about a quieter one, 8192 samples a pixel. */
-static void estimate_is_near_the_truth(void **state) {
-    (void)state;
-    lobe_scene *scene = load("gallery");
-    lobe_render_options o = small(WIDTH, HEIGHT, 1024);
-    o.seed = 100;
-    lobe_film *reference = render(scene, o, NULL);
-    float *truth = colors(reference);
-    o.samples = 64;
+static void compare_with_truth(const lobe_scene *scene, const float *truth, int is_adaptive) {
+    lobe_render_options o = small(WIDTH, HEIGHT, 64);
+    o.is_adaptive = is_adaptive;
     double estimated = 0, actual = 0;
     for (int run = 0; run < RUNS; run++) {
         lobe_render_statistics statistics;
@@ -39,6 +34,17 @@ static void estimate_is_near_the_truth(void **state) {
     }
     const double ratio = sqrt(estimated / actual);
     if (!(ratio > 0.9 && ratio < 1.35)) fail_msg("estimated / actual = %g", ratio);
+}
+
+static void estimate_is_near_the_truth(void **state) {
+    (void)state;
+    lobe_scene *scene = load("gallery");
+    lobe_render_options o = small(WIDTH, HEIGHT, 1024);
+    o.seed = 100;
+    lobe_film *reference = render(scene, o, NULL);
+    float *truth = colors(reference);
+    compare_with_truth(scene, truth, 0);
+    compare_with_truth(scene, truth, 1);
     free(truth);
     lobe_film_free(reference);
     lobe_scene_free(scene);
