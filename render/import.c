@@ -9,6 +9,7 @@
 
 #include "image.h"
 #include "import_camera.h"
+#include "import_obj.h"
 #include "import_texture.h"
 #include "inventory.h"
 #include "scene.h"
@@ -22,18 +23,20 @@ typedef struct importer {
     const char *path;
     uint32_t first_material;
     texture_reader textures;
+    obj_reader obj;
+    int is_obj;
 } importer;
 
 /* ---- Materials --------------------------------------------------------------------------------- */
 
 /* Index of the texture, or NO_TEXTURE if the material names none. */
 static int read_texture_of(importer *k, const struct aiMaterial *m, enum aiTextureType type,
-                           int is_srgb) {
+                           picture_use use) {
     struct aiString name;
     if (aiGetMaterialTexture(m, type, 0, &name, NULL, NULL, NULL, NULL, NULL, NULL) !=
         aiReturn_SUCCESS)
         return NO_TEXTURE;
-    return lobe_import_texture(&k->textures, name.data, is_srgb);
+    return lobe_import_texture(&k->textures, name.data, use);
 }
 
 static float read_float(const struct aiMaterial *m, const char *key, float fallback) {
@@ -72,13 +75,14 @@ static material read_material(importer *k, unsigned index) {
     m.anisotropy = clampf(read_float(from, MATKEY_ANISOTROPY, 0.0f), -0.99f, 0.99f);
     vec3 emission = read_color(from, "$clr.emissive", v3_all(0.0f));
     m.emission = v3_scale(emission, fmaxf(read_float(from, "$mat.emissiveIntensity", 1.0f), 0.0f));
-    m.base_map.texture = read_texture_of(k, from, aiTextureType_BASE_COLOR, 1);
+    m.base_map.texture = read_texture_of(k, from, aiTextureType_BASE_COLOR, AS_COLOR);
     if (m.base_map.texture == NO_TEXTURE)
-        m.base_map.texture = read_texture_of(k, from, aiTextureType_DIFFUSE, 1);
-    m.normal_map.texture = read_texture_of(k, from, aiTextureType_NORMALS, 0);
-    m.surface_map.texture = read_texture_of(k, from, aiTextureType_METALNESS, 0);
+        m.base_map.texture = read_texture_of(k, from, aiTextureType_DIFFUSE, AS_COLOR);
+    m.normal_map.texture = read_texture_of(k, from, aiTextureType_NORMALS, AS_VALUES);
+    m.metallic_map.texture = read_texture_of(k, from, aiTextureType_METALNESS, AS_VALUES);
+    m.roughness_map.texture = read_texture_of(k, from, aiTextureType_DIFFUSE_ROUGHNESS, AS_VALUES);
     if (v3_max(m.emission) > 0.0f)
-        m.emission_map.texture = read_texture_of(k, from, aiTextureType_EMISSIVE, 1);
+        m.emission_map.texture = read_texture_of(k, from, aiTextureType_EMISSIVE, AS_COLOR);
     return m;
 }
 
@@ -136,8 +140,11 @@ static void read_scene(importer *k) {
         lobe_scene_note(k->scene,
                         (lobe_scene_item){.part = LOBE_SCENE_MATERIAL,
                                           .name = is_fallback(k, i) ? NO_MATERIAL : name.data});
-        lobe_scene_add_material(k->scene, read_material(k, i));
+        lobe_scene_add_material(
+            k->scene, k->is_obj ? lobe_obj_material(&k->obj, name.data, &k->textures, k->options)
+                                : read_material(k, i));
     }
+    if (k->is_obj) lobe_obj_warn(&k->obj);
     if (k->file->mNumMaterials == 0)
         lobe_scene_add_material(k->scene, lobe_fallback_material(k->options));
     for (unsigned i = 0; i < k->file->mNumMeshes; i++) read_mesh(k, k->file->mMeshes[i]);
@@ -165,13 +172,16 @@ lobe_render_result lobe_scene_import(lobe_scene *s, const char *path,
     const unsigned steps = aiProcess_Triangulate | aiProcess_GenSmoothNormals |
                            aiProcess_CalcTangentSpace | aiProcess_PreTransformVertices |
                            aiProcess_SortByPType | aiProcess_JoinIdenticalVertices;
-    importer k = {.scene = s, .options = options, .path = path};
-    k.file = aiImportFile(path, aiProcess_ValidateDataStructure);
+    importer k = {.scene = s, .options = options, .path = path, .obj = {.scene = s, .path = path}};
+    k.is_obj = lobe_path_ends(path, ".obj");
+    k.file = k.is_obj ? lobe_obj_read(&k.obj, aiProcess_ValidateDataStructure)
+                      : aiImportFile(path, aiProcess_ValidateDataStructure);
     if (k.file) {
         lobe_import_cameras(s, k.file);
         k.file = aiApplyPostProcessing(k.file, steps);
     }
     if (!k.file) {
+        lobe_obj_free(&k.obj);
         return lobe_fail(LOBE_RENDER_BAD_INPUT,
                          "%s: cannot be read as a scene (%.200s); is it damaged?", path,
                          aiGetErrorString());
@@ -180,5 +190,6 @@ lobe_render_result lobe_scene_import(lobe_scene *s, const char *path,
     read_scene(&k);
     lobe_import_textures_end(&k.textures);
     aiReleaseImport(k.file);
+    lobe_obj_free(&k.obj);
     return LOBE_RENDER_OK;
 }

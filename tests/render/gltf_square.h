@@ -144,7 +144,8 @@ static inline size_t print_square(const square_file *f, char *json) {
         "\"meshes\":[{\"primitives\":[{\"attributes\":{%s},\"material\":0%s}]}%s],"
         "\"materials\":[%s],"
         "\"textures\":[{\"source\":0,\"sampler\":1},{\"source\":1},{\"source\":0,\"sampler\":0}%s],"
-        "\"samplers\":[{\"wrapS\":33071,\"wrapT\":33648,\"magFilter\":9728},{\"magFilter\":9728}],"
+        "\"samplers\":[{\"wrapS\":33071,\"wrapT\":33648,\"magFilter\":9728},{\"magFilter\":9728},"
+        "{\"wrapS\":33071,\"wrapT\":33071}],"
         "\"images\":[{\"bufferView\":12,\"mimeType\":\"image/png\"},"
         "{\"bufferView\":13,\"mimeType\":\"image/png\"}%s],"
         "\"bufferViews\":[%s%s],\"accessors\":[%s%s],\"buffers\":[{\"byteLength\":%zu}%s]%s}",
