@@ -65,13 +65,12 @@ static float opacity_at(const lobe_scene *s, const ray_hit *hit) {
     const float u = hit->u, v = hit->v, w = 1.0f - u - v;
     const float missing = w * a->darkening[3] + u * b->darkening[3] + v * c->darkening[3];
     float alpha = m->alpha * (1.0f - missing / 65535.0f);
-    const texture_map *maps[2] = {&m->base_map, &m->opacity_map};
-    for (int i = 0; i < 2; i++) {
-        if (maps[i]->texture == NO_TEXTURE) continue;
-        const int second = maps[i]->uv_set;
+    const texture_map *map = m->opacity_map.texture != NO_TEXTURE ? &m->opacity_map : &m->base_map;
+    if (map->texture != NO_TEXTURE) {
+        const int second = map->uv_set;
         const float x = second ? w * a->u1 + u * b->u1 + v * c->u1 : w * a->u + u * b->u + v * c->u;
         const float y = second ? w * a->v1 + u * b->v1 + v * c->v1 : w * a->v + u * b->v + v * c->v;
-        alpha *= lobe_texture_alpha_at(&s->textures[maps[i]->texture], maps[i], x, y);
+        alpha *= lobe_texture_alpha_at(&s->textures[map->texture], map, x, y);
     }
     if (m->alpha_mode == ALPHA_MASK) return alpha >= m->alpha_cutoff ? 1.0f : 0.0f;
     return alpha;

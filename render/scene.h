@@ -32,7 +32,7 @@ typedef struct material {
     float thickness; /* 0: a thin wall; else a solid, whatever the number */
     vec3 absorption; /* of the inside, per unit of length */
     float normal_scale;
-    /* roughness is the green, metallic the blue */
+    /* roughness is the green, metallic the blue, opacity the alpha, in place of that of the base */
     texture_map base_map, opacity_map, normal_map, roughness_map, metallic_map, emission_map,
         stretch_map, transmission_map, specular_map, specular_color_map, clearcoat_map,
         clearcoat_roughness_map, clearcoat_normal_map;

@@ -15,7 +15,7 @@
 
 static const char obj[] = "render-obj.obj", mtl[] = "render-obj.mtl", glb[] = "render-obj.glb";
 
-static unsigned long rounds = 150, seed = 1;
+static unsigned long rounds = 100, seed = 1;
 
 /* ---- Files --------------------------------------------------------------------------------------- */
 
@@ -99,7 +99,7 @@ static sight look(const char *path) {
     options.warning = fail_by;
     if (lobe_scene_load(path, options, &scene) != LOBE_RENDER_OK)
         fail_msg("%s", lobe_render_error_message());
-    lobe_render_options o = small(SIZE, SIZE, 16);
+    lobe_render_options o = small(SIZE, SIZE, 8);
     const lobe_view view = {{1.1f, 0.7f, 2.9f}, {0, 0, 0}, {0, 1, 0}, 36.0f};
     o.view = &view;
     o.depth = 3;
@@ -216,6 +216,10 @@ static const pair pairs[] = {
      PBR "\"roughnessFactor\":0.5,\"metallicFactor\":0,\"baseColorTexture\":" TEXTURE(
          8) "},\"alphaMode\":\"BLEND\"}",
      "Pr 0.5\nKd 1 1 1"},
+    {"Pr 0.5\nmap_Kd render-obj-alpha.tga\nmap_d render-obj-alpha.tga",
+     PBR "\"roughnessFactor\":0.5,\"metallicFactor\":0,\"baseColorTexture\":" TEXTURE(
+         8) "},\"alphaMode\":\"BLEND\"}",
+     "Pr 0.5\nmap_Kd render-obj-alpha.tga"},
     {"Pr 0.5\nKd 1 1 1\nmap_d render-obj-rough.ppm",
      PBR "\"roughnessFactor\":0.5,\"metallicFactor\":0,\"baseColorTexture\":" TEXTURE(
          8) "},\"alphaMode\":\"BLEND\"}",
