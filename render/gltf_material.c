@@ -209,7 +209,7 @@ static material read_material(material_reader *k, const gltf_material *from,
     /* the normal map first: its coordinates make the tangents */
     m.normal_map = read_map(k, &from->normal, 0, needs);
     m.base_map = read_map(k, &from->base, 1, needs);
-    m.surface_map = read_map(k, &from->surface, 0, needs);
+    m.roughness_map = m.metallic_map = read_map(k, &from->surface, 0, needs);
     m.base_color =
         v3(unit(from->base_color[0]), unit(from->base_color[1]), unit(from->base_color[2]));
     m.metallic = unit(from->metallic);

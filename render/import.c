@@ -9,6 +9,8 @@
 
 #include "image.h"
 #include "import_camera.h"
+#include "import_obj.h"
+#include "import_pose.h"
 #include "import_texture.h"
 #include "inventory.h"
 #include "scene.h"
@@ -22,18 +24,54 @@ typedef struct importer {
     const char *path;
     uint32_t first_material;
     texture_reader textures;
+    obj_reader obj;
+    int is_obj;
+    unsigned types_read, types_unread; /* bits of aiTextureType, of the material and of all */
+    int has_turned_picture, has_other_set, has_projection, has_own_parameters, has_colors,
+        has_lines;
 } importer;
 
 /* ---- Materials --------------------------------------------------------------------------------- */
 
-/* Index of the texture, or NO_TEXTURE if the material names none. */
-static int read_texture_of(importer *k, const struct aiMaterial *m, enum aiTextureType type,
-                           int is_srgb) {
+/* Placing a picture, as FBX and Collada say it: scaled, then moved; v points up. */
+static void read_transform(importer *k, const struct aiMaterial *m, enum aiTextureType type,
+                           texture_map *map) {
+    struct aiUVTransform t;
+    if (aiGetMaterialUVTransform(m, "$tex.uvtrafo", (unsigned)type, 0, &t) != aiReturn_SUCCESS)
+        return;
+    map->u[0] = t.mScaling.x;
+    map->u[2] = t.mTranslation.x;
+    map->v[1] = t.mScaling.y;
+    map->v[2] = 1.0f - t.mScaling.y - t.mTranslation.y;
+    k->has_turned_picture |= t.mRotation != 0.0f;
+}
+
+static texture_wrap wrap_of(enum aiTextureMapMode mode) {
+    return mode == aiTextureMapMode_Mirror                                    ? WRAP_MIRROR
+           : mode == aiTextureMapMode_Clamp || mode == aiTextureMapMode_Decal ? WRAP_CLAMP
+                                                                              : WRAP_REPEAT;
+}
+
+/* Of the first type that the material has a picture of. */
+static texture_map read_map(importer *k, const struct aiMaterial *m, enum aiTextureType type,
+                            enum aiTextureType other, picture_use use) {
     struct aiString name;
-    if (aiGetMaterialTexture(m, type, 0, &name, NULL, NULL, NULL, NULL, NULL, NULL) !=
+    unsigned uv_set = 0;
+    enum aiTextureMapping mapping = aiTextureMapping_UV;
+    enum aiTextureMapMode modes[3] = {0};
+    texture_map map = lobe_texture_map(NO_TEXTURE);
+    if (aiGetMaterialTextureCount(m, type) == 0) type = other;
+    if (aiGetMaterialTexture(m, type, 0, &name, &mapping, &uv_set, NULL, NULL, modes, NULL) !=
         aiReturn_SUCCESS)
-        return NO_TEXTURE;
-    return lobe_import_texture(&k->textures, name.data, is_srgb);
+        return map;
+    k->types_read |= 1u << type;
+    k->has_other_set |= uv_set != 0;
+    k->has_projection |= mapping != aiTextureMapping_UV;
+    map.texture = lobe_import_texture(&k->textures, name.data, use);
+    map.wrap_u = wrap_of(modes[0]);
+    map.wrap_v = wrap_of(modes[1]);
+    read_transform(k, m, type, &map);
+    return map;
 }
 
 static float read_float(const struct aiMaterial *m, const char *key, float fallback) {
@@ -61,25 +99,80 @@ static int is_fallback(const importer *k, unsigned index) {
            strcmp(name.data, AI_DEFAULT_MATERIAL_NAME) == 0;
 }
 
+/* A map is taken alone: many exporters leave the number beside it at 0. */
+static float share_or(const struct aiMaterial *m, const char *key, const texture_map *map,
+                      float fallback) {
+    if (map->texture != NO_TEXTURE) return 1.0f;
+    return clampf(read_float(m, key, fallback), 0.0f, 1.0f);
+}
+
+/* Nobody writes what cannot be seen: an opacity of 0 is a mistake in most files. */
+static void read_opacity(importer *k, const struct aiMaterial *from, material *m) {
+    const float opacity = read_float(from, "$mat.opacity", 1.0f);
+    m->opacity_map = read_map(k, from, aiTextureType_OPACITY, aiTextureType_OPACITY, AS_OPACITY);
+    if (opacity > 0.0f) m->alpha = fminf(opacity, 1.0f);
+    if (m->alpha < 1.0f || m->opacity_map.texture != NO_TEXTURE) m->alpha_mode = ALPHA_BLEND;
+}
+
+/* What the material has beyond what was read of it. Ambient light and occlusion mean nothing to a path tracer. */
+static void note_unread(importer *k, const struct aiMaterial *m) {
+    const unsigned meaningless =
+        1u << aiTextureType_AMBIENT | 1u << aiTextureType_AMBIENT_OCCLUSION;
+    for (unsigned type = 1; type <= aiTextureType_UNKNOWN; type++) {
+        const unsigned bit = 1u << type;
+        if (aiGetMaterialTextureCount(m, (enum aiTextureType)type) > 0 &&
+            !((k->types_read | meaningless) & bit))
+            k->types_unread |= bit;
+    }
+    for (unsigned i = 0; i < m->mNumProperties; i++) {
+        const struct aiMaterialProperty *p = m->mProperties[i];
+        k->has_own_parameters |= strncmp(p->mKey.data, "$raw.3dsMax|main|", 17) == 0;
+    }
+    k->types_read = 0;
+}
+
 static material read_material(importer *k, unsigned index) {
     const struct aiMaterial *from = k->file->mMaterials[index];
     material m = lobe_fallback_material(k->options);
     if (is_fallback(k, index)) return m;
     vec3 diffuse = read_color(from, "$clr.diffuse", m.base_color);
     m.base_color = clamp_color(read_color(from, "$clr.base", diffuse));
-    m.metallic = clampf(read_float(from, "$mat.metallicFactor", m.metallic), 0.0f, 1.0f);
-    m.roughness = clampf(read_float(from, "$mat.roughnessFactor", m.roughness), 0.0f, 1.0f);
+    m.base_map = read_map(k, from, aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE, AS_COLOR);
+    m.normal_map = read_map(k, from, aiTextureType_NORMALS, aiTextureType_NORMAL_CAMERA, AS_VALUES);
+    m.metallic_map = read_map(k, from, aiTextureType_METALNESS, aiTextureType_METALNESS, AS_VALUES);
+    m.roughness_map = read_map(k, from, aiTextureType_DIFFUSE_ROUGHNESS,
+                               aiTextureType_DIFFUSE_ROUGHNESS, AS_VALUES);
+    m.metallic = share_or(from, "$mat.metallicFactor", &m.metallic_map, m.metallic);
+    m.roughness = share_or(from, "$mat.roughnessFactor", &m.roughness_map, m.roughness);
     m.anisotropy = clampf(read_float(from, MATKEY_ANISOTROPY, 0.0f), -0.99f, 0.99f);
     vec3 emission = read_color(from, "$clr.emissive", v3_all(0.0f));
     m.emission = v3_scale(emission, fmaxf(read_float(from, "$mat.emissiveIntensity", 1.0f), 0.0f));
-    m.base_map.texture = read_texture_of(k, from, aiTextureType_BASE_COLOR, 1);
-    if (m.base_map.texture == NO_TEXTURE)
-        m.base_map.texture = read_texture_of(k, from, aiTextureType_DIFFUSE, 1);
-    m.normal_map.texture = read_texture_of(k, from, aiTextureType_NORMALS, 0);
-    m.surface_map.texture = read_texture_of(k, from, aiTextureType_METALNESS, 0);
     if (v3_max(m.emission) > 0.0f)
-        m.emission_map.texture = read_texture_of(k, from, aiTextureType_EMISSIVE, 1);
+        m.emission_map =
+            read_map(k, from, aiTextureType_EMISSIVE, aiTextureType_EMISSION_COLOR, AS_COLOR);
+    read_opacity(k, from, &m);
+    note_unread(k, from);
     return m;
+}
+
+/* Each once. */
+static void warn_of_materials(const importer *k) {
+    warnings *w = &k->scene->warnings;
+    for (unsigned type = 1; type <= aiTextureType_UNKNOWN; type++)
+        if (k->types_unread >> type & 1)
+            lobe_warn(w, "%s: its materials have %s pictures; they are ignored", k->path,
+                      aiTextureTypeToString((enum aiTextureType)type));
+    if (k->has_turned_picture)
+        lobe_warn(w, "%s: has pictures that are turned; they are shown as they are", k->path);
+    if (k->has_other_set)
+        lobe_warn(w, "%s: has pictures by a second set of texture coordinates; the first is taken",
+                  k->path);
+    if (k->has_projection)
+        lobe_warn(w, "%s: has pictures that are projected; they are shown by texture coordinates",
+                  k->path);
+    if (k->has_own_parameters)
+        lobe_warn(w, "%s: its materials have parameters of one program alone; they are ignored",
+                  k->path);
 }
 
 /* ---- Meshes ------------------------------------------------------------------------ */
@@ -117,11 +210,13 @@ static void read_mesh(importer *k, const struct aiMesh *mesh) {
                                                 .about = words,
                                                 .count = mesh->mNumFaces,
                                                 .uses = 1});
+    k->has_colors |= mesh->mColors[0] != NULL;
     if (m >= k->scene->material_count) m = k->first_material;
     for (unsigned i = 0; i < mesh->mNumVertices; i++)
         lobe_scene_add_vertex(k->scene, read_vertex(mesh, i));
     for (unsigned i = 0; i < mesh->mNumFaces; i++) {
         const struct aiFace *face = &mesh->mFaces[i];
+        k->has_lines |= face->mNumIndices != 3;
         if (face->mNumIndices != 3) continue;
         lobe_scene_add_triangle(k->scene, first + face->mIndices[0], first + face->mIndices[1],
                                 first + face->mIndices[2], m);
@@ -136,12 +231,22 @@ static void read_scene(importer *k) {
         lobe_scene_note(k->scene,
                         (lobe_scene_item){.part = LOBE_SCENE_MATERIAL,
                                           .name = is_fallback(k, i) ? NO_MATERIAL : name.data});
-        lobe_scene_add_material(k->scene, read_material(k, i));
+        lobe_scene_add_material(
+            k->scene, k->is_obj ? lobe_obj_material(&k->obj, name.data, &k->textures, k->options)
+                                : read_material(k, i));
     }
+    if (k->is_obj)
+        lobe_obj_warn(&k->obj);
+    else
+        warn_of_materials(k);
     if (k->file->mNumMaterials == 0)
         lobe_scene_add_material(k->scene, lobe_fallback_material(k->options));
     for (unsigned i = 0; i < k->file->mNumMeshes; i++) read_mesh(k, k->file->mMeshes[i]);
     uint64_t dropped = k->scene->info.dropped_triangles;
+    if (k->has_colors)
+        lobe_warn(&k->scene->warnings, "%s: has colours of vertices; they are ignored", k->path);
+    if (k->has_lines)
+        lobe_warn(&k->scene->warnings, "%s: has points or lines; they are left out", k->path);
     if (dropped)
         lobe_warn(&k->scene->warnings,
                   "%s: %llu triangles without area or with a coordinate that "
@@ -165,20 +270,28 @@ lobe_render_result lobe_scene_import(lobe_scene *s, const char *path,
     const unsigned steps = aiProcess_Triangulate | aiProcess_GenSmoothNormals |
                            aiProcess_CalcTangentSpace | aiProcess_PreTransformVertices |
                            aiProcess_SortByPType | aiProcess_JoinIdenticalVertices;
-    importer k = {.scene = s, .options = options, .path = path};
-    k.file = aiImportFile(path, aiProcess_ValidateDataStructure);
-    if (k.file) {
-        lobe_import_cameras(s, k.file);
-        k.file = aiApplyPostProcessing(k.file, steps);
+    importer k = {.scene = s, .options = options, .path = path, .obj = {.scene = s, .path = path}};
+    k.is_obj = lobe_path_ends(path, ".obj");
+    k.file = k.is_obj ? lobe_obj_read(&k.obj, aiProcess_ValidateDataStructure)
+                      : aiImportFile(path, aiProcess_ValidateDataStructure);
+    /* it is ours alone until it is let go of */
+    struct aiScene *own = (struct aiScene *)(uintptr_t)k.file;
+    lobe_render_result result = own ? lobe_import_pose(s, own, path, options) : LOBE_RENDER_OK;
+    if (own && result == LOBE_RENDER_OK) {
+        lobe_import_cameras(s, own);
+        lobe_import_lights(s, own);
+        k.file = aiApplyPostProcessing(own, steps);
     }
-    if (!k.file) {
-        return lobe_fail(LOBE_RENDER_BAD_INPUT,
-                         "%s: cannot be read as a scene (%.200s); is it damaged?", path,
-                         aiGetErrorString());
+    if (!k.file)
+        result = lobe_fail(LOBE_RENDER_BAD_INPUT,
+                           "%s: cannot be read as a scene (%.200s); is it damaged?", path,
+                           aiGetErrorString());
+    if (result == LOBE_RENDER_OK) {
+        k.textures = (texture_reader){.scene = s, .file = k.file, .path = path};
+        read_scene(&k);
+        lobe_import_textures_end(&k.textures);
     }
-    k.textures = (texture_reader){.scene = s, .file = k.file, .path = path};
-    read_scene(&k);
-    lobe_import_textures_end(&k.textures);
     aiReleaseImport(k.file);
-    return LOBE_RENDER_OK;
+    lobe_obj_free(&k.obj);
+    return result;
 }

@@ -85,11 +85,13 @@ int lobe_import_magenta(lobe_scene *s, int is_srgb) {
     return lobe_scene_add_texture(s, t);
 }
 
-static int read_new(texture_reader *r, const char *name, int is_srgb) {
+static int read_new(texture_reader *r, const char *name, picture_use use) {
     const struct aiTexture *embedded = find_embedded(r->file, name);
+    const int is_srgb = use == AS_COLOR;
     texture t;
     if (embedded ? read_embedded(embedded, &t, is_srgb)
                  : lobe_import_texture_beside(r->path, name, &t, is_srgb)) {
+        if (use == AS_OPACITY && !lobe_texture_make_opacity(&t)) r->scene->out_of_memory = 1;
         lobe_scene_note(r->scene, (lobe_scene_item){.part = LOBE_SCENE_TEXTURE, .name = name});
         return lobe_scene_add_texture(r->scene, t);
     }
@@ -98,7 +100,7 @@ static int read_new(texture_reader *r, const char *name, int is_srgb) {
 }
 
 /* Without memory for the note the texture is read again, which is slow and not wrong. */
-static void remember(texture_reader *r, const char *name, int is_srgb, int index) {
+static void remember(texture_reader *r, const char *name, picture_use use, int index) {
     read_texture *known = realloc(r->known, (r->count + 1) * sizeof *known);
     if (!known) return;
     r->known = known;
@@ -106,15 +108,14 @@ static void remember(texture_reader *r, const char *name, int is_srgb, int index
     char *copy = malloc(size);
     if (!copy) return;
     memcpy(copy, name, size);
-    known[r->count++] = (read_texture){copy, is_srgb, index};
+    known[r->count++] = (read_texture){copy, use, index};
 }
 
-int lobe_import_texture(texture_reader *r, const char *name, int is_srgb) {
+int lobe_import_texture(texture_reader *r, const char *name, picture_use use) {
     for (size_t i = 0; i < r->count; i++)
-        if (r->known[i].is_srgb == is_srgb && strcmp(r->known[i].name, name) == 0)
-            return r->known[i].index;
-    const int index = read_new(r, name, is_srgb);
-    remember(r, name, is_srgb, index);
+        if (r->known[i].use == use && strcmp(r->known[i].name, name) == 0) return r->known[i].index;
+    const int index = read_new(r, name, use);
+    remember(r, name, use, index);
     return index;
 }
 

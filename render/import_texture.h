@@ -6,9 +6,12 @@
 
 struct aiScene;
 
+/* What a picture is read for. Of an opacity the alpha counts; a picture without any says it by its green. */
+typedef enum picture_use { AS_VALUES, AS_COLOR, AS_OPACITY } picture_use;
+
 typedef struct read_texture {
     char *name;
-    int is_srgb;
+    picture_use use;
     int index;
 } read_texture;
 
@@ -31,7 +34,7 @@ int lobe_import_magenta(lobe_scene *s, int is_srgb);
 
 /* Index in the scene of the texture called `name`, or NO_TEXTURE. A missing one gets one warning; in
  * place of a colour it is magenta. */
-int lobe_import_texture(texture_reader *r, const char *name, int is_srgb);
+int lobe_import_texture(texture_reader *r, const char *name, picture_use use);
 void lobe_import_textures_end(texture_reader *r);
 
 #endif

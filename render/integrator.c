@@ -84,11 +84,12 @@ static float opacity_at(const lobe_scene *s, const ray_hit *hit) {
     const float u = hit->u, v = hit->v, w = 1.0f - u - v;
     const float missing = w * a->darkening[3] + u * b->darkening[3] + v * c->darkening[3];
     float alpha = m->alpha * (1.0f - missing / 65535.0f);
-    if (m->base_map.texture != NO_TEXTURE) {
-        const int second = m->base_map.uv_set;
+    const texture_map *map = m->opacity_map.texture != NO_TEXTURE ? &m->opacity_map : &m->base_map;
+    if (map->texture != NO_TEXTURE) {
+        const int second = map->uv_set;
         const float x = second ? w * a->u1 + u * b->u1 + v * c->u1 : w * a->u + u * b->u + v * c->u;
         const float y = second ? w * a->v1 + u * b->v1 + v * c->v1 : w * a->v + u * b->v + v * c->v;
-        alpha *= lobe_texture_alpha_at(&s->textures[m->base_map.texture], &m->base_map, x, y);
+        alpha *= lobe_texture_alpha_at(&s->textures[map->texture], map, x, y);
     }
     if (m->alpha_mode == ALPHA_MASK) return alpha >= m->alpha_cutoff ? 1.0f : 0.0f;
     return alpha;
@@ -170,6 +171,15 @@ static void find_hit_point(const lobe_scene *s, const ray_hit *hit, vec3 directi
     h->emission = emission_at(s, h);
 }
 
+static void read_surface(const lobe_scene *s, const hit_point *h, float *roughness,
+                         float *metallic) {
+    const material *m = h->material;
+    const vec3 one = sample_map(s, &m->roughness_map, h, v3_all(1.0f));
+    const vec3 other = m->is_packed ? one : sample_map(s, &m->metallic_map, h, v3_all(1.0f));
+    *roughness = m->roughness * one.y;
+    *metallic = m->metallic * other.z;
+}
+
 /* KHR_materials_anisotropy, in the terms of lobe_surface_at: alpha grows toward 1 along a direction of
  * the tangent plane, which becomes the frame's x. */
 static void stretch(const lobe_scene *s, const hit_point *h, frame *shading, float *roughness,
@@ -240,15 +250,14 @@ static void surface_of(const path *p, const hit_point *h, vec3 to_viewer, surfac
         const sampler_point point = lobe_sampler_next(p->points);
         random = (uint64_t)point.bits[0] << 32 | point.bits[1];
     }
-    vec3 packed = sample_map(k->scene, &m->surface_map, h, v3_all(1.0f));
+    float roughness, metallic, anisotropy = m->anisotropy;
+    read_surface(k->scene, h, &roughness, &metallic);
     vec3 base_color = base_color_at(k->scene, h);
-    float metallic = m->metallic * packed.z;
     float transmission = m->transmission;
     if (transmission > 0.0f)
         transmission *=
             (1.0f - metallic) * sample_map(k->scene, &m->transmission_map, h, v3_all(1.0f)).x;
     frame shading = h->shading;
-    float roughness = m->roughness * packed.y, anisotropy = m->anisotropy;
     if (m->stretch > 0.0f) stretch(k->scene, h, &shading, &roughness, &anisotropy);
     /* of what is not glass, the same amount is metal */
     if (transmission > 0.0f) metallic /= maxf(1.0f - transmission, 1e-6f);
@@ -614,12 +623,12 @@ int lobe_first_surface(const lobe_scene *s, vec3 origin, vec3 direction,
     hit_point h;
     find_hit_point(s, &hit, direction, 0.0f, &h);
     const material *m = h.material;
-    const vec3 packed = sample_map(s, &m->surface_map, &h, v3_all(1.0f));
-    const float metallic = m->metallic * packed.z, step = (m->ior - 1.0f) / (m->ior + 1.0f);
+    float roughness, metallic, anisotropy = m->anisotropy;
+    read_surface(s, &h, &roughness, &metallic);
+    const float step = (m->ior - 1.0f) / (m->ior + 1.0f);
     const coat_tint tint = tint_at(s, &h);
     const vec3 coat_f0 = v3_add(tint.one, v3_scale(tint.own, step * step));
     frame shading = h.shading;
-    float roughness = m->roughness * packed.y, anisotropy = m->anisotropy;
     if (m->stretch > 0.0f) stretch(s, &h, &shading, &roughness, &anisotropy);
     *surface = (lobe_ray_surface){.distance = h.distance,
                                   .position = h.position,

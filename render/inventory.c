@@ -98,7 +98,12 @@ static void describe_material(const lobe_scene *s, uint32_t index, lobe_scene_it
     lobe_add_word(words, m->alpha_mode == ALPHA_BLEND, "alpha blend");
     lobe_add_word(words, m->base_map.texture != NO_TEXTURE, "colour map");
     lobe_add_word(words, m->normal_map.texture != NO_TEXTURE, "normal map");
-    lobe_add_word(words, m->surface_map.texture != NO_TEXTURE, "roughness map");
+    lobe_add_word(words, m->roughness_map.texture != NO_TEXTURE, "roughness map");
+    lobe_add_word(words,
+                  m->metallic_map.texture != NO_TEXTURE &&
+                      m->metallic_map.texture != m->roughness_map.texture,
+                  "metal map");
+    lobe_add_word(words, m->opacity_map.texture != NO_TEXTURE, "opacity map");
     lobe_add_word(words, m->emission_map.texture != NO_TEXTURE, "emission map");
 }
 

@@ -125,7 +125,9 @@ material lobe_default_material(void) {
                       .normal_scale = 1.0f,
                       .base_map = lobe_texture_map(NO_TEXTURE),
                       .normal_map = lobe_texture_map(NO_TEXTURE),
-                      .surface_map = lobe_texture_map(NO_TEXTURE),
+                      .opacity_map = lobe_texture_map(NO_TEXTURE),
+                      .roughness_map = lobe_texture_map(NO_TEXTURE),
+                      .metallic_map = lobe_texture_map(NO_TEXTURE),
                       .emission_map = lobe_texture_map(NO_TEXTURE),
                       .stretch_map = lobe_texture_map(NO_TEXTURE),
                       .transmission_map = lobe_texture_map(NO_TEXTURE),
@@ -396,6 +398,7 @@ void lobe_material_settle(material *m) {
     m->tint = lobe_coat_tint(m->ior, m->specular, m->specular_color);
     m->has_direction = m->normal_map.texture != NO_TEXTURE || m->anisotropy != 0.0f ||
                        m->stretch > 0.0f || m->clearcoat > 0.0f;
+    m->is_packed = memcmp(&m->roughness_map, &m->metallic_map, sizeof m->roughness_map) == 0;
     m->is_matte = m->metallic == 0.0f && m->specular == 0.0f && m->transmission == 0.0f &&
                   m->clearcoat == 0.0f;
     const texture_map *maps[AVERAGED_MAPS_MAX];

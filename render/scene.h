@@ -33,12 +33,14 @@ typedef struct material {
     float thickness; /* 0: a thin wall; else a solid, whatever the number */
     vec3 absorption; /* of the inside, per unit of length */
     float normal_scale;
-    texture_map base_map, normal_map, surface_map, emission_map, stretch_map, transmission_map,
-        specular_map, specular_color_map, clearcoat_map, clearcoat_roughness_map,
-        clearcoat_normal_map;
+    /* roughness is the green, metallic the blue, opacity the alpha, in place of that of the base */
+    texture_map base_map, opacity_map, normal_map, roughness_map, metallic_map, emission_map,
+        stretch_map, transmission_map, specular_map, specular_color_map, clearcoat_map,
+        clearcoat_roughness_map, clearcoat_normal_map;
     /* what follows from all above: lobe_material_settle */
     coat_tint tint;    /* where no texture varies it */
     int has_direction; /* it looks different when it is turned about its normal: it needs a tangent */
+    int is_packed;     /* roughness and metallic lie in one picture, at one place */
     int is_matte;      /* a base without a coat, and nothing else */
     int is_averaged;   /* it has a texture of which means over a footprint are taken */
 } material;

@@ -53,6 +53,28 @@ int lobe_texture_solid(texture *t, vec3 color, int is_srgb) {
     return adopt(t, texels, 1, 1, 3, is_srgb);
 }
 
+static int has_alpha(const texture *t) {
+    const size_t size = (size_t)t->width * (size_t)t->height;
+    for (size_t i = 0; t->channels == 4 && i < size; i++)
+        if (t->texels[4 * i + 3] != 255) return 1;
+    return 0;
+}
+
+int lobe_texture_make_opacity(texture *t) {
+    if (has_alpha(t)) return 1;
+    const size_t size = (size_t)t->width * (size_t)t->height, channels = (size_t)t->channels;
+    unsigned char *texels = malloc(4 * size);
+    if (!texels) return 0;
+    for (size_t i = 0; i < size; i++) {
+        for (size_t c = 0; c < 3; c++) texels[4 * i + c] = t->texels[channels * i + c];
+        texels[4 * i + 3] = texels[4 * i + 1];
+    }
+    free(t->texels);
+    t->texels = texels;
+    t->channels = 4;
+    return 1;
+}
+
 void lobe_texture_free(texture *t) {
     free(t->texels);
     free(t->levels);

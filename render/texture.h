@@ -49,6 +49,9 @@ int lobe_texture_read_memory(texture *t, const void *data, size_t size, int is_s
 
 /* A one-texel texture; values of the format, [0, 1]. 0: no memory. */
 int lobe_texture_solid(texture *t, vec3 color, int is_srgb);
+
+/* Gives a picture without alpha, or with one that is opaque everywhere, an alpha of its green. 0: no memory, nothing changed. */
+int lobe_texture_make_opacity(texture *t);
 void lobe_texture_free(texture *t);
 
 /* Make the smaller copies, down to one texel: means of the linear values, rounded to 8 bits. A third more memory; of a

@@ -146,7 +146,7 @@ static inline size_t print_square(const square_file *f, char *json) {
         "\"materials\":[%s],"
         "\"textures\":[{\"source\":0,\"sampler\":1},{\"source\":1},{\"source\":0,\"sampler\":0}%s],"
         "\"samplers\":[{\"wrapS\":33071,\"wrapT\":33648,\"magFilter\":9728%s},"
-        "{\"magFilter\":9728}],"
+        "{\"magFilter\":9728},{\"wrapS\":33071,\"wrapT\":33071}],"
         "\"images\":[{\"bufferView\":12,\"mimeType\":\"image/png\"},"
         "{\"bufferView\":13,\"mimeType\":\"image/png\"}%s],"
         "\"bufferViews\":[%s%s],\"accessors\":[%s%s],\"buffers\":[{\"byteLength\":%zu}%s]%s}",

@@ -62,7 +62,8 @@ static lobe_multiscatter compensation = LOBE_MULTISCATTER_NONE;
 /* Radiance near the middle of the wall at x = 1, walls of material `m` that glow with 1, after `depth`
  * scatterings; the mean of independent runs. */
 static estimate radiance(material m, vec3 direction, int depth, int samples) {
-    m.base_map = m.normal_map = m.surface_map = m.emission_map = lobe_texture_map(NO_TEXTURE);
+    m.base_map = m.normal_map = m.emission_map = lobe_texture_map(NO_TEXTURE);
+    m.roughness_map = m.metallic_map = lobe_texture_map(NO_TEXTURE);
     m.specular_map = m.specular_color_map = lobe_texture_map(NO_TEXTURE);
     m.specular = 1.0f;
     m.specular_color = v3_all(1.0f);
