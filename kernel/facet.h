@@ -12,6 +12,11 @@
 
 #include "vec.h"
 
+/* The cosine of the tilt of the geometric plane from which on a model for two planes is worth its price: a table of
+ * nodes, and an ellipse. */
+#define FACET_TABLE_TILT_COSINE R(0.95)
+#define FACET_ELLIPSE_TILT_COSINE R(0.985)
+
 /* Choices that hold for all draws and densities at a shading point. */
 K_STRUCT(facet_options) {
     v3 plane; /* geometric normal, unit, in the shading frame; z: none but the shading plane */

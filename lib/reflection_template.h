@@ -123,11 +123,6 @@ static const row rows[ROW_COUNT] = {ALL_MODELS(TABLE_ROW)};
     [LOBE_NDF_##NDF][LOBE_MASKING_##MASKING][LOBE_METHOD_##METHOD] = INDEX_##kernel + 1,
 static const unsigned char row_of[LOBE_NDF_COUNT][LOBE_MASKING_COUNT][LOBE_METHOD_COUNT] = {
     LOBE_MODELS(FIND_ROW)};
-/* The cosine of the tilt from which on a model for two planes is worth its price: a table of nodes, and an
- * ellipse. */
-#define TABLE_TILT_COSINE R(0.95)
-#define ELLIPSE_TILT_COSINE R(0.985)
-
 static const unsigned char tilted_row_of[LOBE_NDF_COUNT][LOBE_MASKING_COUNT][LOBE_METHOD_COUNT] = {
     TILTED_MODELS(FIND_ROW)};
 #undef FIND_ROW
@@ -144,7 +139,7 @@ int LOBE_NAME(find_row)(lobe_model m) {
 static int row_above(lobe_model m, v3 plane) {
     unsigned char tilted = tilted_row_of[m.ndf][m.masking][m.method];
     bool is_table = m.method == LOBE_METHOD_HORIZON;
-    bool is_steep = plane.z < (is_table ? TABLE_TILT_COSINE : ELLIPSE_TILT_COSINE);
+    bool is_steep = plane.z < (is_table ? FACET_TABLE_TILT_COSINE : FACET_ELLIPSE_TILT_COSINE);
     return is_steep && tilted ? tilted - 1 : LOBE_NAME(find_row)(m);
 }
 

@@ -2,7 +2,7 @@
 #ifndef LOBE_RENDER_CIRCLE_H
 #define LOBE_RENDER_CIRCLE_H
 
-#include "vector.h"
+#include "number.h"
 
 /* Sine and cosine of an angle of -1 to 1 turns, each within 1.1e-7. The nearest quarter turn is taken off; what
  * is left goes through the polynomials of Moshier's Cephes (sinf.c). */

@@ -17,33 +17,13 @@ static const packed_table ready = {
 #include "coat_table.inc"
 };
 
-/* The table begins where the exact mirror ends. */
-static const float ROUGHNESS_MIN = 0.01f;
-
 static float square(float x) {
     return x * x;
 }
 
-static float mix(float a, float b, float share) {
-    return a + share * (b - a);
-}
-
-static float row_of(float roughness) {
-    float least = sqrtf(ROUGHNESS_MIN);
-    return clampf((sqrtf(roughness) - least) / (1.0f - least), 0.0f, 1.0f);
-}
-
 static float row_roughness(float row) {
-    float least = sqrtf(ROUGHNESS_MIN), root = least + row * (1.0f - least);
+    float least = sqrtf(COAT_ROUGHNESS_MIN), root = least + row * (1.0f - least);
     return root * root;
-}
-
-/* Columns of t and of t/(t + roughness), added. */
-static float column_of(float cosine, float roughness) {
-    float t = sqrtf(minf(fabsf(cosine), 1.0f));
-    float position = 0.5f * t * (1.0f + (1.0f + roughness) / (t + roughness));
-    return (float)COAT_BEHIND +
-           copysignf(position, cosine) * (cosine < 0.0f ? COAT_BEHIND : COAT_FRONT);
 }
 
 /* The inverse: t^2 + t (1 + 2 roughness - 2 position) = 2 position roughness. */
@@ -68,7 +48,7 @@ static float albedo_of(lobe_microsurface s, const coat *c, float x, float y, flo
 static coat node_at(const coat_table *table, float row, float ratio) {
     coat c = {.table = table, .row = row, .ratio = ratio};
     float roughness = row_roughness(row);
-    c.narrow = mix(ROUGHNESS_MIN, roughness, ratio);
+    c.narrow = mixf(COAT_ROUGHNESS_MIN, roughness, ratio);
     c.alpha_y = square(c.narrow);
     c.alpha_x = 2.0f * square(roughness) - c.alpha_y;
     c.wide = sqrtf(c.alpha_x);
@@ -141,6 +121,21 @@ static float average_of(const coat *c) {
     return (float)(4.0 * sum / (STEPS * TURNS));
 }
 
+/* The last ratio and the first azimuth: nothing to interpolate there. */
+static void keep_round_albedo(coat_table *table) {
+    for (int r = 0; r < COAT_ROWS; r++)
+        for (int c = 0; c < COAT_COLUMNS; c++)
+            table->round_albedo[r * COAT_COLUMNS + c] = table->albedo[r][COAT_RATIOS - 1][c][0];
+}
+
+/* As interpolation ends, not as the last node has it: they differ in the last digit. */
+static void keep_round_average(coat_table *table) {
+    for (int r = 0; r < COAT_AVERAGE_ROWS; r++) {
+        const float *end = &table->average[r][COAT_AVERAGE_RATIOS - 1];
+        table->round_average[r] = mixf(end[-1], end[0], 1.0f);
+    }
+}
+
 int lobe_coat_build(coat_table *table, lobe_ndf ndf, lobe_masking masking, lobe_g2 g2,
                     int has_anisotropy) {
     const lobe_microsurface s = {ndf, masking, g2, 0.0, 0.0};
@@ -157,6 +152,7 @@ int lobe_coat_build(coat_table *table, lobe_ndf ndf, lobe_masking masking, lobe_
     for (int r = 0; r < COAT_ROWS; r++)
         for (int k = first; k < COAT_RATIOS; k++) raise(table, raw, r, k, has_anisotropy);
     free(raw);
+    keep_round_albedo(table);
     first = has_anisotropy ? 0 : COAT_AVERAGE_RATIOS - 1;
 #pragma omp parallel for schedule(dynamic)
     for (int r = 0; r < COAT_AVERAGE_ROWS; r++)
@@ -165,6 +161,7 @@ int lobe_coat_build(coat_table *table, lobe_ndf ndf, lobe_masking masking, lobe_
                              (float)k / (COAT_AVERAGE_RATIOS - 1));
             table->average[r][k] = average_of(&c);
         }
+    keep_round_average(table);
     return 1;
 }
 
@@ -174,6 +171,8 @@ static void unpack(coat_table *table) {
     for (size_t k = 0; k < sizeof table->albedo / sizeof *albedo; k++)
         albedo[k] = (float)packed[k] / 65535.0f;
     memcpy(table->average, ready.average, sizeof table->average);
+    keep_round_albedo(table);
+    keep_round_average(table);
 }
 
 static int fill_table(coat_table *table, lobe_microsurface s, int has_anisotropy) {
@@ -230,18 +229,11 @@ coat lobe_coat_at(const coat_table *table, const lobe_reflection_f32 *ggx) {
     c.is_mirror = ggx->is_mirror;
     c.wide = sqrtf(maxf(c.alpha_x, c.alpha_y));
     c.narrow = sqrtf(minf(c.alpha_x, c.alpha_y));
-    c.row = row_of(mean);
+    c.row = coat_row_of(mean);
     c.ratio = 1.0f;
     if (c.wide > c.narrow)
-        c.ratio = clampf((c.narrow - ROUGHNESS_MIN) / (mean - ROUGHNESS_MIN), 0.0f, 1.0f);
+        c.ratio = clampf((c.narrow - COAT_ROUGHNESS_MIN) / (mean - COAT_ROUGHNESS_MIN), 0.0f, 1.0f);
     return c;
-}
-
-/* A position on an axis of `count` nodes: the node below and the share of the one above. */
-static int place(float position, int count, float *share) {
-    int node = (int)minf(maxf(position, 0.0f), (float)(count - 2));
-    *share = position - (float)node;
-    return node;
 }
 
 /* The perceptual roughness that the Smith model sees along a direction. */
@@ -256,47 +248,38 @@ static float roughness_toward(const coat *c, vec3 d) {
 static float mix_face(const float face[COAT_COLUMNS][COAT_AZIMUTHS], int column, float across,
                       int azimuth, float around) {
     const float *low = face[column] + azimuth, *high = face[column + 1] + azimuth;
-    return mix(mix(low[0], low[1], around), mix(high[0], high[1], around), across);
-}
-
-/* Of equal roughnesses: the last ratio and the first azimuth, nothing to interpolate there. */
-static float albedo_of_round(const coat *c, float z) {
-    float along, across;
-    const int row = place(c->row * (COAT_ROWS - 1), COAT_ROWS, &along);
-    const int column = place(column_of(z, c->wide), COAT_COLUMNS, &across);
-    const float(*low)[COAT_AZIMUTHS] = c->table->albedo[row][COAT_RATIOS - 1];
-    const float(*high)[COAT_AZIMUTHS] = c->table->albedo[row + 1][COAT_RATIOS - 1];
-    return mix(mix(low[column][0], low[column + 1][0], across),
-               mix(high[column][0], high[column + 1][0], across), along);
+    return mixf(mixf(low[0], low[1], around), mixf(high[0], high[1], around), across);
 }
 
 float lobe_coat_albedo(const coat *c, vec3 direction) {
     if (c->is_mirror && direction.z > 0.0f)
         return lobe_fresnel_dielectric_f32(c->table->ior, direction.z);
-    if (c->ratio == 1.0f && c->wide == c->narrow) return albedo_of_round(c, direction.z);
+    if (c->ratio == 1.0f && c->wide == c->narrow)
+        return coat_round_albedo(c->table->round_albedo, c->row, c->wide, direction.z);
     float toward = roughness_toward(c, direction), width = c->wide - c->narrow;
     float turn = width > 0.0f ? (toward - c->narrow) / width : 0.0f;
     float along, aside, across, around;
-    int row = place(c->row * (COAT_ROWS - 1), COAT_ROWS, &along);
-    int ratio = place(c->ratio * (COAT_RATIOS - 1), COAT_RATIOS, &aside);
-    int column = place(column_of(direction.z, toward), COAT_COLUMNS, &across);
-    int azimuth = place(turn * (COAT_AZIMUTHS - 1), COAT_AZIMUTHS, &around);
+    int row = coat_place(c->row * (COAT_ROWS - 1), COAT_ROWS, &along);
+    int ratio = coat_place(c->ratio * (COAT_RATIOS - 1), COAT_RATIOS, &aside);
+    int column = coat_place(coat_column_of(direction.z, toward), COAT_COLUMNS, &across);
+    int azimuth = coat_place(turn * (COAT_AZIMUTHS - 1), COAT_AZIMUTHS, &around);
     float corner[2][2];
     for (int r = 0; r < 2; r++)
         for (int s = 0; s < 2; s++)
             corner[r][s] =
                 mix_face(c->table->albedo[row + r][ratio + s], column, across, azimuth, around);
-    return mix(mix(corner[0][0], corner[0][1], aside), mix(corner[1][0], corner[1][1], aside),
-               along);
+    return mixf(mixf(corner[0][0], corner[0][1], aside), mixf(corner[1][0], corner[1][1], aside),
+                along);
 }
 
 float lobe_coat_average(const coat *c) {
     if (c->is_mirror) return lobe_fresnel_dielectric_average_f32(c->table->ior);
+    if (c->ratio == 1.0f) return coat_round_average(c->table->round_average, c->row);
     float along, aside;
-    int row = place(c->row * (COAT_AVERAGE_ROWS - 1), COAT_AVERAGE_ROWS, &along);
-    int ratio = place(c->ratio * (COAT_AVERAGE_RATIOS - 1), COAT_AVERAGE_RATIOS, &aside);
+    int row = coat_place(c->row * (COAT_AVERAGE_ROWS - 1), COAT_AVERAGE_ROWS, &along);
+    int ratio = coat_place(c->ratio * (COAT_AVERAGE_RATIOS - 1), COAT_AVERAGE_RATIOS, &aside);
     const float *low = c->table->average[row] + ratio, *high = c->table->average[row + 1] + ratio;
-    return mix(mix(low[0], low[1], aside), mix(high[0], high[1], aside), along);
+    return mixf(mixf(low[0], low[1], aside), mixf(high[0], high[1], aside), along);
 }
 
 /* share (t + (1 - t) (F - f0)/(1 - f0)) with t = min(f0 color, 1): `one` is negative where the colour is dark. */

@@ -92,10 +92,7 @@ static void share_walks(surface *s, float coat_i) {
  * `horizon`, and a table of nodes costs more than it saves. */
 #define TILT_COSINE 0.985f
 
-/* LOBE_METHOD_COUNT is a choice by surface: the least error at equal time over the scenes of
- * docs/horizon-results.md. The coat is a small part of a dielectric's light: the cheapest draw is enough.
- * Sampler and density share what is prepared here. */
-static lobe_method method_of(lobe_method asked, float metallic, float alpha, float tilt_cosine) {
+lobe_method lobe_surface_method(lobe_method asked, float metallic, float alpha, float tilt_cosine) {
     if (asked != LOBE_METHOD_COUNT) return asked;
     if (metallic < 0.5f || alpha < SMOOTH_ALPHA) return LOBE_METHOD_BOUNDED;
     return tilt_cosine < TILT_COSINE ? LOBE_METHOD_HORIZON_UNIFORM : LOBE_METHOD_HORIZON;
@@ -125,7 +122,7 @@ void lobe_surface_make(surface *s, const surface_options *options, frame shading
     const float alpha = roughness * roughness;
     const vec3 plane = frame_to_local(&shading, geometric);
     lobe_reflection_options ggx = options->ggx;
-    ggx.model.method = method_of(ggx.model.method, metallic, alpha, plane.z);
+    ggx.model.method = lobe_surface_method(ggx.model.method, metallic, alpha, plane.z);
     lobe_reflection_prepare_at_f32(&s->ggx, &ggx, wi, alpha * (1.0f + anisotropy),
                                    alpha * (1.0f - anisotropy), plane);
     const float rest = compensate(s, options->multiscatter, &options->ggx);
@@ -180,7 +177,8 @@ void lobe_surface_add_glass(surface *s, glass *room, const surface_options *opti
     const int compensate =
         walks ? material.is_thin : options->multiscatter != LOBE_MULTISCATTER_NONE;
     glass_options o = {options->ggx, compensate, walks, s->walk_seed};
-    o.ggx.model.method = method_of(options->ggx.model.method, 0.0f, material.alpha_x, 1.0f);
+    o.ggx.model.method =
+        lobe_surface_method(options->ggx.model.method, 0.0f, material.alpha_x, 1.0f);
     *room = lobe_glass_at(&o, material, s->frame, s->geometric, to_viewer, is_back);
     s->glass = room;
 }
@@ -193,7 +191,7 @@ void lobe_surface_add_clearcoat(surface *s, clearcoat *room, const surface_optio
                                 const coat_table *table, frame shading, vec3 to_viewer, float share,
                                 float roughness) {
     lobe_reflection_options o = options->ggx;
-    o.model.method = method_of(o.model.method, 0.0f, roughness * roughness, 1.0f);
+    o.model.method = lobe_surface_method(o.model.method, 0.0f, roughness * roughness, 1.0f);
     const float base = v3_luminance(s->base_color);
     *room = lobe_clearcoat_at(&o, table, shading, s->geometric, to_viewer, share, roughness,
                               base + s->metallic * (v3_luminance(s->f0) - base));

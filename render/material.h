@@ -66,6 +66,11 @@ typedef struct surface_options {
     const metal *metal; /* NULL: Schlick's */
 } surface_options;
 
+/* The method of a metal or coat: what was asked for. LOBE_METHOD_COUNT is a choice by surface: the least error at equal
+ * time over the scenes of docs/horizon-results.md. The coat is a small part of a dielectric's light: the cheapest draw is
+ * enough. Sampler and density share what is prepared for it. */
+lobe_method lobe_surface_method(lobe_method asked, float metallic, float alpha, float tilt_cosine);
+
 /* `to_viewer`: unit, world, on the front of `geometric`. `random`: of the walks. */
 void lobe_surface_make(surface *s, const surface_options *options, frame shading, vec3 geometric,
                        vec3 to_viewer, vec3 base_color, float metallic, float roughness,

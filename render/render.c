@@ -97,21 +97,42 @@ static float filter_offset(const job *j, uint32_t bits) {
     return j->filter[k] + (x - (float)k) * (j->filter[k + 1] - j->filter[k]);
 }
 
-static film_sample render_sample(const job *j, int x, int y, sampler points, uint64_t *rays) {
+/* The paths of a tile, and the pixels they belong to. */
+typedef struct batch {
+    int count;
+    path paths[WAVE_PATHS];
+    vec3 origins[WAVE_PATHS], directions[WAVE_PATHS]; /* of the camera's rays */
+    size_t pixels[WAVE_PATHS];
+} batch;
+
+static void begin_path(const job *j, batch *b, int x, int y, sampler points) {
     const lobe_render_options *o = j->options;
-    sampler_point p = lobe_sampler_next(&points);
+    const int i = b->count++;
+    vec3 *origin = &b->origins[i], *direction = &b->directions[i];
+    const sampler_point p = lobe_sampler_next(&points);
     float px = ((float)x + 0.5f + filter_offset(j, p.bits[0])) / (float)o->width * 2.0f - 1.0f;
     float py = 1.0f - ((float)y + 0.5f + filter_offset(j, p.bits[1])) / (float)o->height * 2.0f;
-    vec3 origin, direction;
-    lobe_camera_ray(&j->camera, px, py, sampler_unit(p.bits[2]), sampler_unit(p.bits[3]), &origin,
-                    &direction);
-    film_sample sample = lobe_trace_path(&j->integrator, origin, direction, &points, rays);
-    if (o->aovs & LOBE_AOV_BIT(LOBE_AOV_MOTION))
-        lobe_camera_motion(&j->camera, &j->previous, origin, direction, sample.depth,
-                           sample.motion);
-    sample.is_first_half = o->is_adaptive ? !(points.index & ADAPTIVE_HALF_BLOCK)
-                                          : lobe_film_is_first_half(points.index);
-    return sample;
+    lobe_camera_ray(&j->camera, px, py, sampler_unit(p.bits[2]), sampler_unit(p.bits[3]), origin,
+                    direction);
+    lobe_path_begin(&b->paths[i], &j->integrator, *origin, *direction, points);
+}
+
+/* Samples are added in the order of their paths. */
+static void finish_paths(const job *j, batch *b, lobe_film *tile, uint64_t *rays) {
+    if (b->count == 0) return;
+    lobe_trace_paths(b->paths, b->count);
+    for (int i = 0; i < b->count; i++) {
+        film_sample *sample = &b->paths[i].sample;
+        if (j->options->aovs & LOBE_AOV_BIT(LOBE_AOV_MOTION))
+            lobe_camera_motion(&j->camera, &j->previous, b->origins[i], b->directions[i],
+                               sample->depth, sample->motion);
+        const uint32_t index = b->paths[i].numbers.index;
+        sample->is_first_half = j->options->is_adaptive ? !(index & ADAPTIVE_HALF_BLOCK)
+                                                        : lobe_film_is_first_half(index);
+        lobe_film_add(tile, b->pixels[i], sample);
+        *rays += b->paths[i].rays;
+    }
+    b->count = 0;
 }
 
 static void render_tile(const void *user, const unit *u, lobe_film *tile, uint64_t *rays) {
@@ -120,6 +141,8 @@ static void render_tile(const void *user, const unit *u, lobe_film *tile, uint64
     const lobe_render_options *o = j->options;
     const int across = (o->width + TILE - 1) / TILE;
     const int left = (int)u->tile % across * TILE, top = (int)u->tile / across * TILE;
+    batch b;
+    b.count = 0;
     for (int y = 0; y < TILE && top + y < o->height; y++)
         for (int x = 0; x < TILE && left + x < o->width; x++) {
             sampler points = {.key = lobe_sampler_round_key(o->seed, (uint32_t)(left + x),
@@ -127,10 +150,12 @@ static void render_tile(const void *user, const unit *u, lobe_film *tile, uint64
                               .index_bits = lobe_sampler_index_bits(u->of)};
             for (uint32_t i = u->first; i < u->first + u->count; i++) {
                 points.index = i;
-                const film_sample sample = render_sample(j, left + x, top + y, points, rays);
-                lobe_film_add(tile, (size_t)(y * TILE + x), &sample);
+                b.pixels[b.count] = (size_t)(y * TILE + x);
+                begin_path(j, &b, left + x, top + y, points);
+                if (b.count == WAVE_PATHS) finish_paths(j, &b, tile, rays);
             }
         }
+    finish_paths(j, &b, tile, rays);
 }
 
 float lobe_lens_radius(float f_number, float vertical_degrees) {

@@ -378,14 +378,18 @@ static void fill_info(lobe_scene *s) {
     s->info.tree_bytes = lobe_tracer_bytes(s->tracer, &s->info.tree_peak_bytes);
 }
 
-enum { AVERAGED_MAPS_MAX = 7 };
+enum { AVERAGED_MAPS_MAX = 8 };
 
 /* The textures that are averaged over a footprint. Not those of directions: the mean of normals is another surface. Nor the
  * colour of what is cut out by its alpha: what is not there has a colour too. */
 static int averaged_maps(const material *m, const texture_map *maps[AVERAGED_MAPS_MAX]) {
-    const texture_map *const all[] = {&m->surface_map,      &m->emission_map,
-                                      &m->transmission_map, &m->specular_color_map,
-                                      &m->clearcoat_map,    &m->clearcoat_roughness_map,
+    const texture_map *const all[] = {&m->roughness_map,
+                                      &m->metallic_map,
+                                      &m->emission_map,
+                                      &m->transmission_map,
+                                      &m->specular_color_map,
+                                      &m->clearcoat_map,
+                                      &m->clearcoat_roughness_map,
                                       &m->base_map};
     const int last = m->alpha_mode == ALPHA_OPAQUE;
     int count = 0;

@@ -2,13 +2,10 @@
 #ifndef LOBE_RENDER_VECTOR_H
 #define LOBE_RENDER_VECTOR_H
 
-#include <math.h>
-
 #include "lobe/types.h"
+#include "number.h"
 
 typedef lobe_vec3_f32 vec3;
-
-#define LOBE_PI 3.14159265358979323846f
 
 static inline vec3 v3(float x, float y, float z) {
     return (vec3){x, y, z};
@@ -61,15 +58,6 @@ static inline vec3 v3_normalize_or(vec3 a, vec3 fallback) {
     return v3_scale(a, 1.0f / sqrtf(squared));
 }
 
-/* The larger and the smaller one without a call; of a NaN and b it is b. */
-static inline float maxf(float a, float b) {
-    return a > b ? a : b;
-}
-
-static inline float minf(float a, float b) {
-    return a < b ? a : b;
-}
-
 static inline float v3_max(vec3 a) {
     return maxf(a.x, maxf(a.y, a.z));
 }
@@ -81,10 +69,6 @@ static inline int v3_is_finite(vec3 a) {
 /* Relative luminance (ITU-R BT.709). */
 static inline float v3_luminance(vec3 a) {
     return 0.2126f * a.x + 0.7152f * a.y + 0.0722f * a.z;
-}
-
-static inline float clampf(float x, float low, float high) {
-    return minf(maxf(x, low), high);
 }
 
 typedef struct frame {

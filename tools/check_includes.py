@@ -2,7 +2,7 @@
 """check_includes.py [ROOT]: fail on an #include that the rooms do not allow.
 
 The rule: a room may include its own files, system headers, and what stands beside its name below. A room
-inside another one (ssr/passes: shaders) may be included by that one, and goes by its own row.
+inside another one (ssr/passes: shaders; render/rows: vectors) may be included by that one, and goes by its own row.
 include/, kernel/ and lib/ depend on no external library and not on <math.h>; of them a kernel file
 outside kernel/bind/ includes no system header at all, for the binding does.
 """
@@ -17,6 +17,7 @@ MAY_INCLUDE = {
     "verify": {"include"},
     "metrics": {"include"},
     "render": {"include"},
+    "render/rows": {"kernel", "render"},
     "ssr": {"include"},
     "ssr/passes": {"kernel"},
     "ssr/shaders": {"kernel", "ssr/passes"},
