@@ -301,6 +301,16 @@ void lobe_trace_paths(path *paths, int count) {
     }
 }
 
+film_sample lobe_trace_path(const integrator *k, vec3 origin, vec3 direction, sampler *numbers,
+                            uint64_t *rays) {
+    path p;
+    lobe_path_begin(&p, k, origin, direction, *numbers);
+    lobe_trace_paths(&p, 1);
+    *numbers = p.numbers;
+    *rays += p.rays;
+    return p.sample;
+}
+
 int lobe_first_surface(const lobe_scene *s, vec3 origin, vec3 direction,
                        lobe_ray_surface *surface) {
     ray_hit hit;

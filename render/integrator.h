@@ -49,6 +49,10 @@ void lobe_path_begin(path *p, const integrator *k, vec3 origin, vec3 direction, 
 /* 1 to WAVE_PATHS paths of one integrator, side by side: their samples, the same for each as if it were alone. */
 void lobe_trace_paths(path *paths, int count);
 
+/* One path. `rays` is raised by the rays traced. */
+film_sample lobe_trace_path(const integrator *k, vec3 origin, vec3 direction, sampler *numbers,
+                            uint64_t *rays);
+
 /* The first surface of a ray, as lobe_rays_meet tells it. */
 int lobe_first_surface(const lobe_scene *s, vec3 origin, vec3 direction, lobe_ray_surface *surface);
 

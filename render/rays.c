@@ -50,14 +50,13 @@ int lobe_rays_find(const lobe_rays *rays, const lobe_rays *from, const lobe_ray_
 
 lobe_vec3_f32 lobe_rays_light(const lobe_rays *rays, lobe_vec3_f32 origin, lobe_vec3_f32 direction,
                               uint64_t seed, uint64_t stream, uint32_t index, uint32_t samples) {
-    const sampler points = {.key =
-                                lobe_sampler_key(seed, (uint32_t)stream, (uint32_t)(stream >> 32)),
-                            .index = index,
-                            .index_bits = lobe_sampler_index_bits(samples)};
-    path p;
-    lobe_path_begin(&p, &rays->integrator, origin, direction, points);
-    lobe_trace_paths(&p, 1);
-    return v3_is_finite(p.sample.radiance) ? p.sample.radiance : v3_all(0.0f);
+    sampler points = {.key = lobe_sampler_key(seed, (uint32_t)stream, (uint32_t)(stream >> 32)),
+                      .index = index,
+                      .index_bits = lobe_sampler_index_bits(samples)};
+    uint64_t count = 0;
+    const film_sample sample =
+        lobe_trace_path(&rays->integrator, origin, direction, &points, &count);
+    return v3_is_finite(sample.radiance) ? sample.radiance : v3_all(0.0f);
 }
 
 lobe_vec3_f32 lobe_rays_environment(const lobe_rays *rays, lobe_vec3_f32 direction) {
