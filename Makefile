@@ -1,6 +1,6 @@
 # The front door. The build itself is CMake's; see CMakePresets.json.
 
-.PHONY: all demo check bench dropin horizon-results figures clean help
+.PHONY: all demo check check-peers bench dropin horizon-results figures clean help
 
 all:
 	@tools/setup.sh build
@@ -13,6 +13,10 @@ demo: all
 check:
 	@tools/setup.sh check
 	@tools/check.sh
+
+check-peers: all
+	@tools/setup.sh peers
+	@tools/check_peers.sh
 
 bench: all
 	@build/lobe bench
@@ -34,6 +38,7 @@ help:
 	@echo "make         build/lobe, build/liblobe.a and build/liblobe.so"
 	@echo "make demo    render pictures and compare the methods"
 	@echo "make check   every build, check and test"
+	@echo "make check-peers  our pictures against those of Mitsuba 3 (from the Python package index)"
 	@echo "make bench   time every sampler against its published listing"
 	@echo "make dropin  samplers as single files of C, GLSL and HLSL; shaders as SPIR-V"
 	@echo "make horizon-results  measure docs/horizon-results.md (needs python3-numpy)"

@@ -1,16 +1,16 @@
 #!/bin/bash
-# setup.sh build|check: install the Debian packages that building, or checking, needs.
+# setup.sh build|check|peers: install the Debian packages that building, checking, or comparing with Mitsuba, needs.
 # When all are there it asks the network nothing.
 set -eu
 
 cd "$(dirname "$0")/.."
 
 wanted() {
-    # Checking needs what building needs.
+    # All else needs what building needs.
     case $1 in
     build) awk '$1 == "build" { print $2 }' tools/packages.txt ;;
-    check) awk '$1 == "build" || $1 == "check" { print $2 }' tools/packages.txt ;;
-    *) echo "usage: tools/setup.sh build|check" >&2 && return 2 ;;
+    check | peers) awk -v class="$1" '$1 == "build" || $1 == class { print $2 }' tools/packages.txt ;;
+    *) echo "usage: tools/setup.sh build|check|peers" >&2 && return 2 ;;
     esac
 }
 
