@@ -174,6 +174,15 @@ class GoingOnTest(FramesTest):
         self.assertEqual([os.stat(self.path(f"a.000{i}.exr")).st_ino for i in (1, 3)], before)
         self.assertEqual([self.bytes_of(f"a.000{i}.exr") for i in (1, 2, 3)], whole)
 
+    def test_adaptive_pictures_are_finished_too(self):
+        """Their pixels have unequal numbers of samples, but the same weight."""
+        orbit = ["render", *SMALL[:3], "--spp", "64", "--adaptive", "--orbit", "2", *self.long, "-o",
+                 self.path("a.exr"), "--json"]
+        self.assertEqual(self.done(*orbit).count(b"was_finished"), 0)
+        self.assertEqual(self.done(*orbit).count(b"was_finished"), 2)
+        longer = ["96" if word == "64" else word for word in orbit]
+        self.rejected(*longer, where=self.path("a.0001.exr"))
+
     def test_stopped_pictures_are_gone_on_with(self):
         """By time, then by kill -9 wherever it falls."""
         scene = ["render", "cornell", "--size", "64x36", "--spp", "128", "--orbit", "3",
