@@ -11,11 +11,11 @@ objdump -d --no-show-raw-insn "$1" | awk '
     }
     /^[0-9a-f]+ <.*>:/ {
         name = object " " $2
-        wanted = loops && $2 ~ /_(sample|eval)_(each|shared)>/
+        wanted = loops && $2 ~ /_(sample|normals|eval)_(each|shared)>/
         if (wanted) { seen[name] = 1; count++ }
     }
     wanted && /[ \t]v?(sqrt|div)p[sd][ \t]|fsqrt[ \t]+v|fdiv[ \t]+v/ { packed[name]++ }
-    wanted && /[ \t]jmp? .*_(sample|eval)_(each|shared)>$/ { packed[name]++ }
+    wanted && /[ \t]jmp? .*_(sample|normals|eval)_(each|shared)>$/ { packed[name]++ }
     wanted && /[ \t](call|bl)[ \t]/ { calls[name]++ }
     END {
         for (name in seen) {
