@@ -61,6 +61,8 @@ static void print_bar(const json_t *row, double longest) {
                    "style=\"width:%.1f%%\"></div></div><span class=n>%.2f ns, density %.2f ns",
                    isa, colour_of(isa), 100 * share, number_of(row, "ns"),
                    number_of(row, "ns_pdf"));
+    if (number_of(row, "ns_normal") > 0)
+        lobe_app_print(", normal alone %.2f ns", number_of(row, "ns_normal"));
     if (number_of(row, "listing") > 0)
         lobe_app_print(", listing &times;%.1f", number_of(row, "listing"));
     lobe_app_print("</span></div>\n");

@@ -16,7 +16,7 @@ enum { ROUNDS_MAX = 21, TITLE_ROOM = 128, PATTERN_ROOM = 256 };
 /* Seconds a round of one loop lasts at least. */
 static const double QUICK_SECONDS = 1e-3, SECONDS = 4e-3;
 
-typedef enum loop { LOOP_DRAW, LOOP_PDF, LOOP_LISTING, LOOPS } loop;
+typedef enum loop { LOOP_DRAW, LOOP_NORMAL, LOOP_PDF, LOOP_LISTING, LOOPS } loop;
 
 typedef struct timed_row {
     work work;
@@ -103,6 +103,8 @@ static double run_loop(run *r, const timed_row *row, loop which) {
     switch (which) {
     case LOOP_DRAW:
         return work_draw(&row->work, &r->inputs);
+    case LOOP_NORMAL:
+        return work_normal(&row->work, &r->inputs);
     case LOOP_PDF:
         return work_pdf(&row->work, &r->inputs);
     case LOOP_LISTING:
@@ -128,6 +130,7 @@ static void calibrate(run *r, timed_row *row, loop which) {
 }
 
 static int has_loop(const timed_row *row, loop which) {
+    if (which == LOOP_NORMAL) return row->work.isa != NULL && !row->work.is_glass;
     return which != LOOP_LISTING || row->published != NULL;
 }
 
@@ -172,6 +175,7 @@ static void report(run *r, timed_row *row) {
                           .precision = precision_names[row->work.precision],
                           .prepared = prepared_name(&row->work)};
     out.ns = median(r, row, LOOP_DRAW);
+    if (has_loop(row, LOOP_NORMAL)) out.ns_normal = median(r, row, LOOP_NORMAL);
     out.ns_pdf = median(r, row, LOOP_PDF);
     const double *sorted = row->ns[LOOP_DRAW];
     out.spread = (sorted[3 * r->rounds / 4] - sorted[r->rounds / 4]) / out.ns;

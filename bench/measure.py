@@ -123,11 +123,13 @@ def methods(rows, widest):
             if isa in rows.sets:
                 cells.append(" / ".join(f"{rows.get(model, isa, p):.1f}" for p in ("each", "shared")))
         cells.append(" / ".join(f"{rows.get(model, widest, p, 'f64'):.1f}" for p in ("each", "shared")))
+        normals = [rows.get(model, widest, p, field="ns_normal") for p in ("each", "shared")]
+        cells.append(" / ".join(f"{n:.1f}" for n in normals) if all(normals) else "-")
         listing = rows.get(model, widest, "each", field="listing")
         cells.append(f"{listing:.1f}" if listing else "-")
         lines.append(cells)
     head = ["model", "call", "scalar"] + [s for s in dict.fromkeys(["avx2", widest]) if s in rows.sets]
-    return table(head + [f"{widest} f64", "× listing"], lines)
+    return table(head + [f"{widest} f64", f"{widest}, normals", "× listing"], lines)
 
 
 def sizes(result):

@@ -5,34 +5,34 @@
 
 #define REAL float
 #define NAME(stem) stem##_f32
-#include "work_template.h"
+#include "work_glass.h"
+#include "work_reflection.h"
+#undef REAL
+#undef NAME
 
 #define REAL double
 #define NAME(stem) stem##_f64
-#include "work_template.h"
+#include "work_glass.h"
+#include "work_reflection.h"
+#undef REAL
+#undef NAME
 
-static const double GLASS = 1.5;
-
-#define REAL float
-#define NAME(stem) stem##_f32
-#include "dielectric_template.h"
-
-#define REAL double
-#define NAME(stem) stem##_f64
-#include "dielectric_template.h"
+/* The same loop of every kind and precision. */
+#define CHOOSE(w, in, loop)                                                                        \
+    ((w)->precision == PRECISION_F32                                                               \
+         ? ((w)->is_glass ? glass_##loop##_f32 : loop##_f32)((w), &(in)->f32)                      \
+         : ((w)->is_glass ? glass_##loop##_f64 : loop##_f64)((w), &(in)->f64))
 
 double work_draw(const work *w, inputs *in) {
-    if (w->is_glass)
-        return w->precision == PRECISION_F32 ? glass_draw_f32(w, &in->f32)
-                                             : glass_draw_f64(w, &in->f64);
-    return w->precision == PRECISION_F32 ? draw_f32(w, &in->f32) : draw_f64(w, &in->f64);
+    return CHOOSE(w, in, draw);
+}
+
+double work_normal(const work *w, inputs *in) {
+    return CHOOSE(w, in, batch_normal);
 }
 
 double work_pdf(const work *w, inputs *in) {
-    if (w->is_glass)
-        return w->precision == PRECISION_F32 ? glass_pdf_f32(w, &in->f32)
-                                             : glass_pdf_f64(w, &in->f64);
-    return w->precision == PRECISION_F32 ? pdf_f32(w, &in->f32) : pdf_f64(w, &in->f64);
+    return CHOOSE(w, in, pdf);
 }
 
 double work_listing(listing *published, const inputs *in) {

@@ -21,6 +21,8 @@ typedef struct work {
 } work;
 
 double work_draw(const work *w, inputs *in);
+/* A normal and its density, of batches only. */
+double work_normal(const work *w, inputs *in);
 double work_pdf(const work *w, inputs *in);
 double work_listing(listing *published, const inputs *in);
 

@@ -7,15 +7,19 @@
 
 #include "batch_rows.h"
 
-K_FN void store_draw(const block *b, int i, facet_draw d) {
+K_FN void store_normal(const block *b, int i, facet_draw d) {
     b->m[0][i] = d.m.x;
     b->m[1][i] = d.m.y;
     b->m[2][i] = d.m.z;
+    b->cos_im[i] = d.cos_im;
+    b->pdf_m[i] = d.pdf_m;
+}
+
+K_FN void store_draw(const block *b, int i, facet_draw d) {
+    store_normal(b, i, d);
     b->wo[0][i] = d.wo.x;
     b->wo[1][i] = d.wo.y;
     b->wo[2][i] = d.wo.z;
-    b->cos_im[i] = d.cos_im;
-    b->pdf_m[i] = d.pdf_m;
     b->pdf[i] = d.pdf;
     b->weight[i] = d.weight;
 }
@@ -31,7 +35,8 @@ K_FN v3 load(const real *const arrays[3], int i) {
     return v3_of(arrays[0][i], arrays[1][i], arrays[2][i]);
 }
 
-#define DEFINE_SHARED(NDF, MASKING, METHOD, kernel)                                                \
+/* A row of any model: what it draws, and what its density is. */
+#define DEFINE_ROWS(NDF, MASKING, METHOD, kernel)                                                  \
     K_FN facet_draw kernel##_draw_row(FAMILY(NDF, MASKING, _base) g, kernel s, const block *b,     \
                                       int i) {                                                     \
         facet_draw d =                                                                             \
@@ -43,68 +48,75 @@ K_FN v3 load(const real *const arrays[3], int i) {
         facet_pair pair = FAMILY(NDF, MASKING, _pair_of_wo)(g, load(b->to, i));                    \
         facet_eval known = FAMILY(NDF, MASKING, _eval)(g, pair);                                   \
         store_eval(b, i, pair, has_density, known.f_cos, kernel##_pdf(s, pair));                   \
-    }                                                                                              \
-    static void kernel##_sample_shared(const block *b, int n, const void *state) {                 \
-        FAMILY(NDF, MASKING, _base) g;                                                             \
-        kernel s;                                                                                  \
-        memcpy(&g, state, sizeof g);                                                               \
-        memcpy(&s, state, sizeof s);                                                               \
-        INDEPENDENT_ROWS                                                                           \
-        for (int i = 0, whole = whole_vectors(n); i < whole; ++i)                                  \
-            store_draw(b, i, kernel##_draw_row(g, s, b, i));                                       \
-    }                                                                                              \
-    static void kernel##_eval_shared(const block *b, int n, const void *state) {                   \
-        FAMILY(NDF, MASKING, _base) g;                                                             \
-        kernel s;                                                                                  \
-        memcpy(&g, state, sizeof g);                                                               \
-        memcpy(&s, state, sizeof s);                                                               \
-        INDEPENDENT_ROWS                                                                           \
-        for (int i = 0, whole = whole_vectors(n); i < whole; ++i)                                  \
-            kernel##_eval_row(g, s, b, i, true);                                                   \
     }
-ALL_MODELS(DEFINE_SHARED)
-#undef DEFINE_SHARED
+ALL_MODELS(DEFINE_ROWS)
+#undef DEFINE_ROWS
 
-/* Each row is prepared. The only plane is the shading plane: said here, the compiler leaves out the other. */
-#define DEFINE_EACH(NDF, MASKING, METHOD, kernel)                                                  \
-    static void kernel##_sample_each(const block *b, int n, facet_options options) {               \
+/* A loop of a prepared model: `row` says what happens to row i of b, by the base g and the sampler s. */
+#define SHARED_LOOP(NDF, MASKING, kernel, does, row)                                               \
+    static void kernel##_##does##_shared(const block *b, int n, const void *state) {               \
+        FAMILY(NDF, MASKING, _base) g;                                                             \
+        kernel s;                                                                                  \
+        memcpy(&g, state, sizeof g);                                                               \
+        memcpy(&s, state, sizeof s);                                                               \
+        INDEPENDENT_ROWS                                                                           \
+        for (int i = 0, whole = whole_vectors(n); i < whole; ++i) row;                             \
+    }
+#define SAMPLE_SHARED(NDF, MASKING, METHOD, kernel)                                                \
+    SHARED_LOOP(NDF, MASKING, kernel, sample, store_draw(b, i, kernel##_draw_row(g, s, b, i)))
+#define NORMALS_SHARED(NDF, MASKING, METHOD, kernel)                                               \
+    SHARED_LOOP(NDF, MASKING, kernel, normals, store_normal(b, i, kernel##_draw_row(g, s, b, i)))
+#define EVAL_SHARED(NDF, MASKING, METHOD, kernel)                                                  \
+    SHARED_LOOP(NDF, MASKING, kernel, eval, kernel##_eval_row(g, s, b, i, true))
+
+/* A loop that prepares each row. The only plane is the shading plane: said here, the compiler leaves out the
+ * other. */
+#define EACH_LOOP(NDF, MASKING, kernel, does, row)                                                 \
+    static void kernel##_##does##_each(const block *b, int n, facet_options options) {             \
         options.plane = v3_of(R(0.0), R(0.0), R(1.0));                                             \
         INDEPENDENT_ROWS                                                                           \
         for (int i = 0, whole = whole_vectors(n); i < whole; ++i) {                                \
             FAMILY(NDF, MASKING, _base)                                                            \
             g = FAMILY(NDF, MASKING, _base_of)(load(b->wi, i), b->alpha[0][i], b->alpha[1][i],     \
                                                options);                                           \
-            store_draw(b, i, kernel##_draw_row(g, kernel##_prepare(g), b, i));                     \
-        }                                                                                          \
-    }                                                                                              \
-    static void kernel##_eval_each(const block *b, int n, facet_options options) {                 \
-        options.plane = v3_of(R(0.0), R(0.0), R(1.0));                                             \
-        INDEPENDENT_ROWS                                                                           \
-        for (int i = 0, whole = whole_vectors(n); i < whole; ++i) {                                \
-            FAMILY(NDF, MASKING, _base)                                                            \
-            g = FAMILY(NDF, MASKING, _base_of)(load(b->wi, i), b->alpha[0][i], b->alpha[1][i],     \
-                                               options);                                           \
-            kernel##_eval_row(g, kernel##_prepare(g), b, i,                                        \
-                              k_and(k_is(g.valid), !k_is(g.mirror)));                              \
+            kernel s = kernel##_prepare(g);                                                        \
+            row;                                                                                   \
         }                                                                                          \
     }
-LOBE_MODELS(DEFINE_EACH)
-#undef DEFINE_EACH
+#define SAMPLE_EACH(NDF, MASKING, METHOD, kernel)                                                  \
+    EACH_LOOP(NDF, MASKING, kernel, sample, store_draw(b, i, kernel##_draw_row(g, s, b, i)))
+#define NORMALS_EACH(NDF, MASKING, METHOD, kernel)                                                 \
+    EACH_LOOP(NDF, MASKING, kernel, normals, store_normal(b, i, kernel##_draw_row(g, s, b, i)))
+#define EVAL_EACH(NDF, MASKING, METHOD, kernel)                                                    \
+    EACH_LOOP(NDF, MASKING, kernel, eval,                                                          \
+              kernel##_eval_row(g, s, b, i, k_and(k_is(g.valid), !k_is(g.mirror))))
 
-/* All that a small build has is draws of prepared models. */
+/* What stands in above a tilted plane is always prepared: rows that are not have no such plane. All that a
+ * small build has is draws of prepared models. */
+ALL_MODELS(SAMPLE_SHARED)
 #if defined(LOBE_SMALL)
-#define UNLESS_SMALL(function) NULL
+#define TABLE_ROW(NDF, MASKING, METHOD, kernel) {.sample_shared = kernel##_sample_shared},
+#define TILTED_ROW TABLE_ROW
 #else
-#define UNLESS_SMALL(function) function
-#endif
-
-/* What stands in above a tilted plane is always prepared: rows that are not have no such plane. */
+ALL_MODELS(EVAL_SHARED)
+LOBE_MODELS(NORMALS_SHARED)
+LOBE_MODELS(SAMPLE_EACH)
+LOBE_MODELS(NORMALS_EACH)
+LOBE_MODELS(EVAL_EACH)
 #define TABLE_ROW(NDF, MASKING, METHOD, kernel)                                                    \
-    {UNLESS_SMALL(kernel##_sample_each), kernel##_sample_shared, UNLESS_SMALL(kernel##_eval_each), \
-     UNLESS_SMALL(kernel##_eval_shared)},
+    {kernel##_sample_each,    kernel##_sample_shared, kernel##_normals_each,                       \
+     kernel##_normals_shared, kernel##_eval_each,     kernel##_eval_shared},
 #define TILTED_ROW(NDF, MASKING, METHOD, kernel)                                                   \
-    {NULL, kernel##_sample_shared, NULL, UNLESS_SMALL(kernel##_eval_shared)},
+    {.sample_shared = kernel##_sample_shared, .eval_shared = kernel##_eval_shared},
+#endif
 const batch_row BATCH_TABLE[ROW_COUNT] = {LOBE_MODELS(TABLE_ROW) TILTED_MODELS(TILTED_ROW)};
 #undef TABLE_ROW
 #undef TILTED_ROW
-#undef UNLESS_SMALL
+#undef EVAL_EACH
+#undef NORMALS_EACH
+#undef SAMPLE_EACH
+#undef EACH_LOOP
+#undef EVAL_SHARED
+#undef NORMALS_SHARED
+#undef SAMPLE_SHARED
+#undef SHARED_LOOP

@@ -104,12 +104,35 @@ static void clear_evals(const eval_batch *batch) {
     clear(batch->cos_im, batch->count);
 }
 
+/* Nobody asks for reflections. */
+static bool wants_normals_only(const sample_batch *batch) {
+    return batch->wo[0].data == NULL && batch->wo[1].data == NULL && batch->wo[2].data == NULL &&
+           batch->pdf.data == NULL && batch->weight.data == NULL;
+}
+
+static void sample_prepared(const shared *of_all, bool only_normals, const block *b, int n) {
+    const batch_row *loops = of_all->loops;
+    if (only_normals && loops->normals_shared != NULL)
+        loops->normals_shared(b, n, of_all->state);
+    else
+        loops->sample_shared(b, n, of_all->state);
+}
+
+static void sample_unprepared(const shared *of_all, bool only_normals, const block *b, int n) {
+    const batch_row *loops = of_all->loops;
+    if (only_normals)
+        loops->normals_each(b, n, of_all->options);
+    else
+        loops->sample_each(b, n, of_all->options);
+}
+
 void BATCH_NAME(lobe_reflection_sample_batch)(const sample_batch *batch) {
     const shared of_all = shared_of(batch->prepared, &batch->options);
     if (!of_all.is_known) {
         clear_draws(batch);
         return;
     }
+    const bool only_normals = wants_normals_only(batch);
     block b;
     stand_in s;
     for (size_t first = 0; first < batch->count; first += BLOCK) {
@@ -117,10 +140,10 @@ void BATCH_NAME(lobe_reflection_sample_batch)(const sample_batch *batch) {
         gather_numbers(batch->u, batch->seed, batch->offset, first, n, b.u, s.u);
         place_draws(batch, first, n, &b, &s);
         if (of_all.state != NULL) {
-            of_all.loops->sample_shared(&b, n, of_all.state);
+            sample_prepared(&of_all, only_normals, &b, n);
         } else {
             gather_points(batch->wi, batch->alpha, first, n, &b, &s);
-            of_all.loops->sample_each(&b, n, of_all.options);
+            sample_unprepared(&of_all, only_normals, &b, n);
         }
         scatter_draws(batch, first, n, &s);
     }

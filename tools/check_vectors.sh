@@ -21,7 +21,7 @@ set -eu
     /^[0-9a-f]+ <.*>:/ {
         symbol = substr($2, 2, length($2) - 3)
         name = object " " $2
-        wanted = loops && $2 ~ /_(sample|eval)_(each|shared)>/
+        wanted = loops && $2 ~ /_(sample|normals|eval)_(each|shared)>/
         if (wanted) { seen[name] = 1; count++ }
         if (match(symbol, /^lobe_ssr_[a-z_]+_(sse41|avx2|avx512|neon)$/)) {
             pass = substr(symbol, 10)
@@ -30,7 +30,7 @@ set -eu
         }
     }
     wanted && /[ \t]v?(sqrt|div)p[sd][ \t]|fsqrt[ \t]+v|fdiv[ \t]+v/ { packed[name]++ }
-    wanted && /[ \t]jmp? .*_(sample|eval)_(each|shared)>$/ { packed[name]++ }
+    wanted && /[ \t]jmp? .*_(sample|normals|eval)_(each|shared)>$/ { packed[name]++ }
     wanted && /[ \t](call|bl)[ \t]/ { calls[name]++ }
     /[ \t]v?(add|sub|mul|div|sqrt|min|max|cmp[a-z]*)ps[ \t]/ ||
         /[ \t]f(add|sub|mul|div|sqrt|min|max|minnm|maxnm|cm[a-z]*)[ \t]+v/ {

@@ -43,7 +43,8 @@ typedef struct lobe_out_f64 {
 
 /* `prepared` for all rows, or NULL: then options, wi and alpha, prepared for each row.
  * u[0].data NULL: row i draws with the numbers (seed, offset + i) of lobe_draw_numbers; otherwise
- * u[0] and u[1] are read, and u[2] if it has data. Outputs are those of lobe_reflection_draw. */
+ * u[0] and u[1] are read, and u[2] if it has data. Outputs are those of lobe_reflection_draw. Without wo, pdf and
+ * weight (all NULL) the normals are drawn alone, in about two thirds of the time. */
 typedef struct lobe_sample_batch_f32 {
     size_t count;
     const lobe_reflection_f32 *prepared;

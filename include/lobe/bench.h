@@ -21,10 +21,11 @@ typedef struct lobe_bench_row {
     const char *precision; /* "f32", "f64" */
     const char *prepared;  /* "shared": once for all draws; "each": for every draw */
     double ns;             /* a draw with its density and weight */
-    double ns_pdf;         /* the density of a given direction, prepared alike */
-    double spread;         /* (upper - lower quartile) / median of ns over the rounds */
-    double listing;        /* how many times faster than the published listing */
-    double stream;         /* ns / time to copy the bytes of a draw through memory */
+    double ns_normal; /* a normal with its density alone; 0: no such loop (calls, dielectric) */
+    double ns_pdf;    /* the density of a given direction, prepared alike */
+    double spread;    /* (upper - lower quartile) / median of ns over the rounds */
+    double listing;   /* how many times faster than the published listing */
+    double stream;    /* ns / time to copy the bytes of a draw through memory */
 } lobe_bench_row;
 
 typedef struct lobe_bench_machine {

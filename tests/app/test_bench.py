@@ -21,6 +21,7 @@ class BenchTest(ProgramTest):
             self.assertEqual((row["ndf"], row["masking"], row["method"]), ("ggx", "smith", "bounded"))
             self.assertGreater(row["ns"], 0)
             self.assertGreater(row["ns_pdf"], 0)
+            self.assertEqual(row["ns_normal"] is not None, row["isa"] != "call")
             self.assertGreater(row["stream"], 0)
             self.assertEqual(row["listing"] is not None, row["precision"] == "f32")
 
@@ -31,6 +32,7 @@ class BenchTest(ProgramTest):
         for row in rows:
             self.assertEqual((row["ndf"], row["masking"], row["method"]), ("ggx", "smith", "dielectric"))
             self.assertGreater(row["ns"], 0)
+            self.assertIsNone(row["ns_normal"])
             self.assertIsNone(row["listing"])
 
     def test_table(self):

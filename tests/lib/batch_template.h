@@ -136,6 +136,24 @@ static void NAME(check_samples)(const ROWS *r, const MODEL *shared, lobe_reflect
     }
 }
 
+/* Normals alone, from loops of their own: the same. */
+static void NAME(check_normals)(SAMPLE_BATCH s, const NAME(results) * all, const char *name) {
+    NAME(results) *out = malloc(sizeof *out);
+    assert_non_null(out);
+    memset(out, 0, sizeof *out);
+    NAME(want_sample)(&s, out);
+    for (int k = 0; k < 3; ++k) s.wo[k].data = NULL;
+    s.pdf.data = s.weight.data = NULL;
+    NAME(lobe_reflection_sample_batch)(&s);
+    for (int i = 0; i < NAME(COUNT); ++i) {
+        for (int k = 0; k < 3; ++k) CHECK(m[k][i], all->m[k][i]);
+        CHECK(cos_im[i], all->cos_im[i]);
+        CHECK(pdf_m[i], all->pdf_m[i]);
+        assert_true(out->wo[0][i] == 0 && out->pdf[i] == 0 && out->weight[i] == 0);
+    }
+    free(out);
+}
+
 static void NAME(check_evals)(const ROWS *r, const MODEL *shared, lobe_reflection_options options,
                               const NAME(results) * out, const char *name) {
     for (int i = 0; i < NAME(COUNT); ++i) {
@@ -158,9 +176,11 @@ static void NAME(check_model)(const ROWS *r, lobe_reflection_options options, co
         SAMPLE_BATCH s = NAME(sample_of)(r, NAME(COUNT), options, out);
         NAME(lobe_reflection_sample_batch)(&s);
         NAME(check_samples)(r, NULL, options, out, name);
+        NAME(check_normals)(s, out, name);
         s.prepared = &shared;
         NAME(lobe_reflection_sample_batch)(&s);
         NAME(check_samples)(r, &shared, options, out, name);
+        NAME(check_normals)(s, out, name);
         EVAL_BATCH e = NAME(eval_of)(r, NAME(COUNT), options, out);
         NAME(lobe_reflection_eval_batch)(&e);
         NAME(check_evals)(r, NULL, options, out, name);

@@ -15,7 +15,7 @@ static uint64_t NAME(mix_all)(uint64_t hash, const REAL *values, size_t count) {
 
 static uint64_t NAME(hash_block)(uint64_t hash, lobe_reflection_options options,
                                  REAL in[INPUTS][BLOCK], size_t count) {
-    static REAL out[13][BLOCK];
+    static REAL out[18][BLOCK];
     NAME(lobe_sample_batch) s;
     NAME(lobe_eval_batch) e;
     memset(&s, 0, sizeof s);
@@ -39,7 +39,15 @@ static uint64_t NAME(hash_block)(uint64_t hash, lobe_reflection_options options,
     e.cos_im = (NAME(lobe_out)){out[12], 1};
     NAME(lobe_reflection_sample_batch)(&s);
     NAME(lobe_reflection_eval_batch)(&e);
-    for (int k = 0; k < 13; ++k) hash = NAME(mix_all)(hash, out[k], count);
+    for (int k = 0; k < 3; ++k) { /* normals alone */
+        s.m[k].data = out[13 + k];
+        s.wo[k].data = NULL;
+    }
+    s.cos_im.data = out[16];
+    s.pdf_m.data = out[17];
+    s.pdf.data = s.weight.data = NULL;
+    NAME(lobe_reflection_sample_batch)(&s);
+    for (int k = 0; k < 18; ++k) hash = NAME(mix_all)(hash, out[k], count);
     return hash;
 }
 
