@@ -45,7 +45,8 @@ typedef struct ssr_values {
 
 static const char *const paths[] = {"orbit", "dolly", "shake", "still", NULL};
 static const char *const modes[] = {"mirror", "ndf", "vndf", NULL};
-static const char *const resolves[] = {"approx", "neighbourhood", "neighbourhood-ratio", NULL};
+static const char *const resolves[] = {"approx", "neighbourhood", "neighbourhood-ratio",
+                                       "confidence", NULL};
 static const char *const backends[] = {"cpu", "gl", "auto", NULL};
 
 #define AT(member) offsetof(ssr_values, member)
@@ -122,7 +123,9 @@ static const lobe_app_option trace_options[] = {
 
 static const lobe_app_option resolve_options[] = {
     {"--resolve", "NAME", "neighbourhood-ratio",
-     "colour from the pyramid, or from 3 x 3 rays by weight or by value over density",
+     "colour from the pyramid; from 3 x 3 rays by weight or by value over density; or from 13, "
+     "those "
+     "that met nothing for less",
      lobe_app_read_choice, AT(resolve), resolves},
     {"--edge-fade", "F", "0.1", "share of half the screen on which reflections fade", read_share,
      AT(edge_fade), NULL},

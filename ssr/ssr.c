@@ -52,7 +52,7 @@ static int is_share(float x) {
 
 static lobe_ssr_result check_options(const lobe_ssr_options *o) {
     const lobe_model model = {LOBE_NDF_GGX, LOBE_MASKING_SMITH, o->method};
-    if ((unsigned)o->mode > LOBE_SSR_VNDF || (unsigned)o->resolve > LOBE_SSR_NEIGHBOURHOOD_RATIO ||
+    if ((unsigned)o->mode > LOBE_SSR_VNDF || (unsigned)o->resolve > LOBE_SSR_CONFIDENCE ||
         (unsigned)o->backend > LOBE_SSR_AUTO || o->max_iterations < 1 ||
         o->max_iterations > 1000000 || !is_share(o->thickness) || !is_share(o->edge_fade) ||
         !is_share(o->fade_start) || !is_share(o->fade_end) || !is_share(o->accumulation) ||
@@ -148,6 +148,9 @@ lobe_ssr_result lobe_ssr_create(int width, int height, lobe_ssr_options options,
     s->width = width;
     s->height = height;
     s->options = options;
+    /* HDRP's weights are of 3 x 3 rays, and take what was met alone */
+    if (options.as_hdrp && options.resolve == LOBE_SSR_CONFIDENCE)
+        s->options.resolve = LOBE_SSR_NEIGHBOURHOOD;
     s->threads = options.threads ? options.threads : omp_get_max_threads();
     result = open_driver(s);
     if (result == LOBE_SSR_OK && !make_results(s)) result = lobe_ssr_fail_memory("reflections");
