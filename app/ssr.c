@@ -45,8 +45,8 @@ typedef struct ssr_values {
 
 static const char *const paths[] = {"orbit", "dolly", "shake", "still", NULL};
 static const char *const modes[] = {"mirror", "ndf", "vndf", NULL};
-static const char *const resolves[] = {"approx", "neighbourhood", "neighbourhood-ratio", "own",
-                                       NULL};
+static const char *const resolves[] = {"approx",     "neighbourhood", "neighbourhood-ratio",
+                                       "confidence", "own",           NULL};
 static const char *const backends[] = {"cpu", "gl", "auto", NULL};
 
 #define AT(member) offsetof(ssr_values, member)
@@ -129,9 +129,9 @@ static const lobe_app_option trace_options[] = {
     {0}};
 
 static const lobe_app_option resolve_options[] = {
-    {"--resolve", "NAME", "neighbourhood-ratio",
-     "colour from the pyramid, from 3 x 3 rays by weight or by value over density, or of the "
-     "pixel's own ray alone",
+    {"--resolve", "NAME", "confidence",
+     "colour from the pyramid; from 3 x 3 rays by weight or by value over density; from 13, those "
+     "that met nothing for less; or of the pixel's own ray alone",
      lobe_app_read_choice, AT(resolve), resolves},
     {"--edge-fade", "F", "0.1", "share of half the screen on which reflections fade", read_share,
      AT(edge_fade), NULL},

@@ -3,6 +3,7 @@
 #include "bands.h"
 #include "between.h"
 #include "block.h"
+#include "environment.h"
 
 /* Pixels whose rays met something. */
 typedef struct met {
@@ -21,7 +22,7 @@ static void find_rays(met *m, const ssr_band *b, size_t *pixel, size_t end) {
     for (; *pixel < end && m->count < BLOCK; ++*pixel) {
         const lobe_ssr_ray *ray = &s->rays[*pixel];
         memset(s->found + 4 * *pixel, 0, 4 * sizeof *s->found);
-        if (ray->state != LOBE_SSR_HIT && ray->state != LOBE_SSR_SKY) continue;
+        if (!ssr_meets(ray->state)) continue;
         const int i = m->count++;
         const size_t there = (size_t)ray->y * (size_t)s->width + (size_t)ray->x;
         m->pixel[i] = *pixel;
@@ -74,6 +75,50 @@ static void look_up(const met *m, const ssr_band *b) {
     }
 }
 
+/* ---- Rays that left the screen --------------------------------------------------------------- */
+
+typedef struct left {
+    int count;
+    size_t pixel[BLOCK];
+    v3_block direction, light;
+    float roughness[BLOCK];
+} left;
+
+/* The next of them, up to a block. */
+static void find_left(left *l, const ssr_band *b, size_t *pixel, size_t end) {
+    l->count = 0;
+    for (; *pixel < end && l->count < BLOCK; ++*pixel) {
+        const lobe_ssr_ray *ray = &b->s->rays[*pixel];
+        if (ray->state != LOBE_SSR_MISS) continue;
+        const int i = l->count++;
+        l->pixel[i] = *pixel;
+        l->roughness[i] = b->f->roughness[*pixel];
+        put_v3(&l->direction, i, v3_of(ray->direction.x, ray->direction.y, ray->direction.z));
+    }
+}
+
+static void look_around(left *l, int n, const lobe_ssr_environment *environment) {
+    const lobe_ssr_environment e = *environment;
+#pragma omp simd
+    for (int i = 0; i < n; i++)
+        put_v3(&l->light, i, ssr_environment_light(&e, v3_in(&l->direction, i), l->roughness[i]));
+}
+
+/* They find the environment in their direction. */
+static void light_left(const ssr_band *b, size_t pixel, size_t end) {
+    left l;
+    memset(&l, 0, sizeof l);
+    for (int i = 0; i < BLOCK; i++) l.direction.z[i] = 1.0f; /* what is no ray looks somewhere */
+    while (pixel < end) {
+        find_left(&l, b, &pixel, end);
+        look_around(&l, whole_vectors(l.count), &b->f->environment);
+        for (int i = 0; i < l.count; i++)
+            ssr_put_reflected(b->s->found + 4 * l.pixel[i], ssr_whole(v3_in(&l.light, i)));
+    }
+}
+
+/* ---- All ------------------------------------------------------------------------------------- */
+
 void SSR_SYMBOL(reproject)(const ssr_band *b) {
     const size_t width = (size_t)b->s->width, end = (size_t)b->end * width;
     size_t pixel = (size_t)b->first * width;
@@ -84,4 +129,6 @@ void SSR_SYMBOL(reproject)(const ssr_band *b) {
         find_places(&m, whole_vectors(m.count), b->s);
         look_up(&m, b);
     }
+    if (b->s->options.resolve == LOBE_SSR_CONFIDENCE && b->f->environment.rgb)
+        light_left(b, (size_t)b->first * width, end);
 }

@@ -4,9 +4,10 @@
 
 /* ---- What rays found ------------------------------------------------------------------------- */
 
-enum { AROUND = BLOCK + 16 }; /* a block, a pixel on either side, and whole vectors */
+enum { REACH = 2, ROWS = 2 * REACH + 1 }; /* of any way */
+enum { AROUND = BLOCK + 16 }; /* a block, REACH pixels on either side, and whole vectors */
 
-/* Rays of a row from one pixel before the block to one after; off the screen there is none. */
+/* Rays of a row from REACH pixels before the block to as many after; off the screen there is none. */
 typedef struct row {
     float x[AROUND], y[AROUND], z[AROUND], pdf[AROUND]; /* direction in the world, density */
     float r[AROUND], g[AROUND], b[AROUND], fade[AROUND];
@@ -35,7 +36,7 @@ static void read_ray(const lobe_ssr *s, row *to, int i, int x, int y) {
 }
 
 static void read_row(const lobe_ssr *s, row *to, int x, int y, int n) {
-    for (int i = 0; i < n + 2; i++) read_ray(s, to, i, x - 1 + i, y);
+    for (int i = 0; i < n + 2 * REACH; i++) read_ray(s, to, i, x - REACH + i, y);
 }
 
 /* ---- Sums over them -------------------------------------------------------------------------- */
@@ -51,10 +52,14 @@ typedef struct bases {
 typedef struct around {
     surfaces at;
     bases bases;
-    row rows[3]; /* row y in y % 3 */
+    row rows[ROWS]; /* row y in row_at */
     v3_block color;
     float opacity[BLOCK], weight[BLOCK];
 } around;
+
+K_FN row *row_at(around *a, int y) {
+    return &a->rows[(y + ROWS) % ROWS];
+}
 
 static void make_bases(around *a, int n) {
     bases *b = &a->bases;
@@ -125,17 +130,19 @@ K_FN void add_rays(around *a, int n, const row *r, int first, bool is_own, bool 
 }
 
 K_FN void add_neighbours(around *a, int y, int n, bool mirrors, kint way) {
-    for (int dy = -1; dy <= 1; dy++)
-        for (int dx = -1; dx <= 1; dx++)
-            add_rays(a, n, &a->rows[(y + dy + 3) % 3], 1 + dx, dx == 0 && dy == 0, mirrors, way);
+    const int reach = ssr_gather_reach(way);
+    for (int dy = -reach; dy <= reach; dy++)
+        for (int dx = -reach; dx <= reach; dx++)
+            if (ssr_gathers(dx, dy))
+                add_rays(a, n, row_at(a, y + dy), REACH + dx, dx == 0 && dy == 0, mirrors, way);
 }
 
 /* The pixel's own ray alone. */
 static void take_own(around *a, int y, int n) {
-    const row *own = &a->rows[y % 3];
+    const row *own = row_at(a, y);
 #pragma omp simd
     for (int i = 0; i < n; i++)
-        put_sum(a, i, ssr_add_ray(ssr_no_sum(), found_in(own, i + 1), 1.0f));
+        put_sum(a, i, ssr_add_ray(ssr_no_sum(), found_in(own, i + REACH), 1.0f));
 }
 
 static void clear_sums(around *a, int n) {
@@ -155,19 +162,21 @@ static void add_all(around *a, int y, int n, const lobe_ssr_options *o) {
         add_neighbours(a, y, n, mirrors, AS_HDRP);
     else if (o->resolve == LOBE_SSR_NEIGHBOURHOOD)
         add_neighbours(a, y, n, mirrors, SSR_NEIGHBOURHOOD);
-    else
+    else if (o->resolve == LOBE_SSR_NEIGHBOURHOOD_RATIO)
         add_neighbours(a, y, n, mirrors, SSR_NEIGHBOURHOOD_RATIO);
+    else
+        add_neighbours(a, y, n, mirrors, SSR_CONFIDENCE);
 }
 
 /* From sums to means; 0 where there is no ray. */
 static void make_means(around *a, int y, int n, const lobe_ssr_options *o) {
-    const row *own = &a->rows[y % 3];
+    const row *own = row_at(a, y);
     const float start = o->fade_start, end = o->fade_end;
 #pragma omp simd
     for (int i = 0; i < n; i++) {
         const float fade = ssr_roughness_fade(a->at.roughness[i], start, end);
         const ssr_reflected mean = ssr_mean_of(sum_in(a, i), fade);
-        const bool is_used = k_and(own->state[i + 1] != SSR_NO_RAY, k_is(a->at.seen[i]));
+        const bool is_used = k_and(own->state[i + REACH] != SSR_NO_RAY, k_is(a->at.seen[i]));
         put_v3(&a->color, i, v3_select(is_used, mean.color, v3_of(0.0f, 0.0f, 0.0f)));
         a->opacity[i] = k_select(is_used, mean.opacity, 0.0f);
     }
@@ -177,7 +186,7 @@ static void make_means(around *a, int y, int n, const lobe_ssr_options *o) {
 
 static int has_ray(const row *r, int n) {
     int any = 0;
-    for (int i = 1; i <= n; i++) any |= r->state[i] != SSR_NO_RAY;
+    for (int i = REACH; i < n + REACH; i++) any |= r->state[i] != SSR_NO_RAY;
     return any;
 }
 
@@ -194,8 +203,8 @@ static void write_pixels(const around *a, int n, float *out) {
 static void resolve_block(const ssr_band *b, const ssr_camera *c, around *a, int x, int y, int n) {
     const size_t pixel = (size_t)y * (size_t)b->s->width + (size_t)x;
     float *out = b->s->resolved + 4 * pixel;
-    read_row(b->s, &a->rows[(y + 1) % 3], x, y + 1, n);
-    if (!has_ray(&a->rows[y % 3], n)) {
+    read_row(b->s, row_at(a, y + REACH), x, y + REACH, n);
+    if (!has_ray(row_at(a, y), n)) {
         memset(out, 0, 4 * (size_t)n * sizeof *out);
         return;
     }
@@ -213,8 +222,8 @@ void SSR_SYMBOL(resolve)(const ssr_band *b) {
     memset(&a, 0, sizeof a);
     for (int x = 0; x < b->s->width; x += BLOCK) {
         const int n = b->s->width - x < BLOCK ? b->s->width - x : BLOCK;
-        read_row(b->s, &a.rows[(b->first + 2) % 3], x, b->first - 1, n);
-        read_row(b->s, &a.rows[b->first % 3], x, b->first, n);
+        for (int y = b->first - REACH; y < b->first + REACH; y++)
+            read_row(b->s, row_at(&a, y), x, y, n);
         for (int y = b->first; y < b->end; y++) resolve_block(b, &c, &a, x, y, n);
     }
 }

@@ -14,7 +14,7 @@
 lobe_ssr_options lobe_ssr_default_options(void) {
     return (lobe_ssr_options){.mode = LOBE_SSR_VNDF,
                               .method = LOBE_METHOD_BOUNDED,
-                              .resolve = LOBE_SSR_NEIGHBOURHOOD_RATIO,
+                              .resolve = LOBE_SSR_CONFIDENCE,
                               .max_iterations = 64,
                               .thickness = 0.01f,
                               .edge_fade = 0.1f,
@@ -148,6 +148,9 @@ lobe_ssr_result lobe_ssr_create(int width, int height, lobe_ssr_options options,
     s->width = width;
     s->height = height;
     s->options = options;
+    /* HDRP's weights are of 3 x 3 rays, and take what was met alone */
+    if (options.as_hdrp && options.resolve == LOBE_SSR_CONFIDENCE)
+        s->options.resolve = LOBE_SSR_NEIGHBOURHOOD;
     s->threads = options.threads ? options.threads : omp_get_max_threads();
     result = open_driver(s);
     if (result == LOBE_SSR_OK && !make_results(s)) result = lobe_ssr_fail_memory("reflections");

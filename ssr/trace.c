@@ -170,7 +170,7 @@ static void finish(const lobe_ssr *s, const march *shared, const pool *p, int i,
     ray->state = ssr_state_of(m, sees_sky);
     ray->steps = p->n[STEPS][i];
     counts->steps += (uint64_t)ray->steps;
-    if (ray->state == LOBE_SSR_MISS) return;
+    if (!ssr_meets(ray->state)) return;
     counts->hits++;
     ray->x = x;
     ray->y = y;

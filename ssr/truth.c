@@ -145,7 +145,7 @@ static int verdict_of(const lobe_ssr_frames *f, const ssr_camera *c, const real_
                       const lobe_ssr_ray *ray, float *distance) {
     *distance = -1.0f;
     const v3 direction = ssr_in(ray->direction);
-    const int claims = ray->state == LOBE_SSR_HIT || ray->state == LOBE_SSR_SKY;
+    const int claims = ssr_meets(ray->state);
     lobe_ray_surface met;
     v3 at;
     const int meets = lobe_rays_meet(f->now.rays, ssr_out(p->place), ray->direction, &met);

@@ -24,10 +24,11 @@ OTHERS = ("ndf", "caps", "bounded", "optimal", "horizon", "hdrp")
 COMMON = ["--method", PLAIN, "--bias", "0", "--compare", ",".join(OTHERS), "--camera-path", "still",
           "--smoothness-fade-start", "0", "--min-smoothness", "0", "--edge-fade", "0", "--max-iterations", "256",
           "--truth", "--backend", "cpu"]
+RATIO = ["--resolve", "neighbourhood-ratio"]
 # What is measured, and the frames from which on it counts.
 STAGES = (("own", ["--resolve", "own", "--accumulation", "0"], 0),
-          ("resolved", ["--accumulation", "0"], 0),
-          ("history", [], 16))
+          ("resolved", [*RATIO, "--accumulation", "0"], 0),
+          ("history", RATIO, 16))
 BLOCK = 8
 
 

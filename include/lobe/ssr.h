@@ -90,7 +90,10 @@ typedef enum lobe_ssr_resolve {
     LOBE_SSR_APPROX,              /* one lookup in the colour pyramid, by roughness */
     LOBE_SSR_NEIGHBOURHOOD,       /* 3 x 3 rays, weights of visible normals with D cancelled */
     LOBE_SSR_NEIGHBOURHOOD_RATIO, /* the same, value here over density there (Stachowiak 2015) */
-    LOBE_SSR_OWN                  /* none: what the pixel's own ray met, for comparison */
+    /* The ratio over the 13 nearest rays, times how much each tells: one that is lost next to nothing, one that
+     * leaves the screen a half, with the environment's light in its direction. */
+    LOBE_SSR_CONFIDENCE,
+    LOBE_SSR_OWN /* none: what the pixel's own ray met, for comparison */
 } lobe_ssr_resolve;
 
 typedef enum lobe_ssr_backend {
@@ -151,9 +154,10 @@ typedef struct lobe_ssr_statistics {
 typedef enum lobe_ssr_state {
     LOBE_SSR_NO_RAY,
     LOBE_SSR_REJECTED,
-    LOBE_SSR_MISS,
+    LOBE_SSR_MISS, /* left the screen or the depth range */
     LOBE_SSR_HIT,
-    LOBE_SSR_SKY
+    LOBE_SSR_SKY,
+    LOBE_SSR_LOST /* went behind something, or ended after max_iterations: what it meets is unknown */
 } lobe_ssr_state;
 
 /* The ray of a pixel. */

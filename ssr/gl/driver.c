@@ -121,7 +121,7 @@ static void receive(const gl_state *g, int buffer, size_t bytes, void *to) {
 static void count_ray(const lobe_ssr_ray *ray, lobe_ssr_statistics *st) {
     st->rays += ray->state != LOBE_SSR_NO_RAY;
     st->rejected += ray->state == LOBE_SSR_REJECTED;
-    st->hits += ray->state == LOBE_SSR_HIT || ray->state == LOBE_SSR_SKY;
+    st->hits += ssr_meets(ray->state);
     st->steps += (uint64_t)ray->steps;
 }
 

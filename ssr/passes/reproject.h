@@ -58,6 +58,14 @@ K_FN bool ssr_is_light(v3 c) {
     return k_and(finite, above);
 }
 
+/* Light that is there whole. */
+K_FN ssr_reflected ssr_whole(v3 color) {
+    ssr_reflected l;
+    l.color = color;
+    l.opacity = R(1.0);
+    return l;
+}
+
 /* What a ray found: the colour at a place and the fade there. */
 K_FN ssr_reflected ssr_found(ssr_place p, v3 color, real edge_fade) {
     bool usable = k_and(ssr_is_on_screen(p), ssr_is_light(color));

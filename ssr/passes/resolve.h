@@ -10,11 +10,22 @@
 #define SSR_APPROX K_INT(0)
 #define SSR_NEIGHBOURHOOD K_INT(1)
 #define SSR_NEIGHBOURHOOD_RATIO K_INT(2)
-#define SSR_OWN K_INT(3)
+#define SSR_CONFIDENCE K_INT(3)
+#define SSR_OWN K_INT(4)
 
 /* Without the neighbours. */
 K_FN bool ssr_is_alone(kint way) {
     return k_or(way == SSR_APPROX, way == SSR_OWN);
+}
+
+/* How far the rays of a pixel's neighbours are gathered, in pixels. */
+K_FN kint ssr_gather_reach(kint way) {
+    return ssr_pick(way == SSR_CONFIDENCE, K_INT(2), K_INT(1));
+}
+
+/* 3 x 3 rays, or the 13 of distance 2 at most. */
+K_FN bool ssr_gathers(kint dx, kint dy) {
+    return dx * dx + dy * dy <= K_INT(4);
 }
 
 /* The pixel that is resolved. */
@@ -47,6 +58,14 @@ K_FN real ssr_ratio_weight(ssr_resolved p, real pdf, v3 wo) {
     return k_select(drawn, ssr_usable(value / k_select(drawn, pdf, R(1.0))), R(0.0));
 }
 
+/* How much a ray tells. One that was lost behind something says that the screen does not show what it meets; what its
+ * neighbours met is more likely there than the environment. One that left the screen may meet what stands beside it
+ * or nothing. The numbers are chosen on the scenes of docs/ssr.md. */
+K_FN real ssr_confidence(kint state) {
+    real known = k_select(state == SSR_MISS, R(0.5), R(1.0));
+    return k_select(state == SSR_LOST, R(0.03), known);
+}
+
 /* `direction` in the world. A mirror's ray is its neighbours' no more. */
 K_FN real ssr_ray_weight(ssr_resolved p, kint state, v3 direction, real pdf, bool is_own,
                          bool mirrors, kint way) {
@@ -55,7 +74,8 @@ K_FN real ssr_ray_weight(ssr_resolved p, kint state, v3 direction, real pdf, boo
         ssr_visible_weight(p.surface.to_viewer, wo, p.surface.alpha_x, p.surface.alpha_y);
     real ratio = k_select(k_or(mirrors, k_is(p.g.mirror)), k_select(is_own, R(1.0), R(0.0)),
                           ssr_ratio_weight(p, pdf, wo));
-    real weight = k_select(way == SSR_NEIGHBOURHOOD, visible, ratio);
+    real sure = k_select(way == SSR_CONFIDENCE, ssr_confidence(state), R(1.0));
+    real weight = k_select(way == SSR_NEIGHBOURHOOD, visible, ratio) * sure;
     return k_select(k_or(state == SSR_NO_RAY, state == SSR_REJECTED), R(0.0), weight);
 }
 

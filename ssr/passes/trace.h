@@ -14,6 +14,7 @@
 #define SSR_MISS K_INT(2)
 #define SSR_HIT K_INT(3)
 #define SSR_SKY K_INT(4)
+#define SSR_LOST K_INT(5)
 
 /* Draws of less are dropped: the cosine above the surface, and the weight. */
 #define SSR_LEAST R(1e-3)
@@ -58,7 +59,12 @@ K_FN bool ssr_leaves_far(ssr_ray r, ssr_march m) {
 }
 
 K_FN kint ssr_state_of(ssr_march m, bool sees_sky) {
-    return ssr_pick(m.state == SSR_MARCH_HIT, SSR_HIT, ssr_pick(sees_sky, SSR_SKY, SSR_MISS));
+    kint missed = ssr_pick(m.state == SSR_MARCH_LEFT, SSR_MISS, SSR_LOST);
+    return ssr_pick(m.state == SSR_MARCH_HIT, SSR_HIT, ssr_pick(sees_sky, SSR_SKY, missed));
+}
+
+K_FN bool ssr_meets(kint state) {
+    return k_or(state == SSR_HIT, state == SSR_SKY);
 }
 
 #endif

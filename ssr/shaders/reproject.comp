@@ -1,10 +1,14 @@
 /* Reproject: where what was met was one frame ago, its colour there, and the fade toward the edge.
  * Agrees with the processor to 1e-5, for the same ray. */
 #include "common.glsl"
+#include "environment.glsl"
 #include "motion.glsl"
 
 layout(std430, binding = 3) readonly buffer roughness_block {
     real roughness_of_pixel[];
+};
+layout(std430, binding = 8) readonly buffer drawn_block {
+    ssr_drawn drawn[];
 };
 layout(std430, binding = 9) readonly buffer met_block {
     ssr_met met[];
@@ -45,6 +49,9 @@ void main() {
     kint pixel = pixel_at(own_x(), own_y());
     ssr_met m = met[pixel];
     found[pixel] = ssr_no_reflected();
+    if (p.way == SSR_CONFIDENCE && p.environment_levels > 0 && ssr_met_state(m) == SSR_MISS)
+        found[pixel] =
+            ssr_whole(environment_at(drawn[pixel].direction, roughness_of_pixel[pixel]));
     if (!ssr_met_something(m)) return;
     kint x = ssr_met_x(m);
     kint y = ssr_met_y(m);

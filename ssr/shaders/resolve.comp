@@ -25,9 +25,11 @@ real weight_of(ssr_resolved own, kint neighbour, bool is_own) {
 
 ssr_sum gather(ssr_resolved own) {
     ssr_sum sum = ssr_no_sum();
-    for (kint y = own_y() - 1; y <= own_y() + 1; ++y)
-        for (kint x = own_x() - 1; x <= own_x() + 1; ++x) {
+    kint reach = ssr_gather_reach(p.way);
+    for (kint y = own_y() - reach; y <= own_y() + reach; ++y)
+        for (kint x = own_x() - reach; x <= own_x() + reach; ++x) {
             if (x < 0 || y < 0 || x >= p.width || y >= p.height) continue;
+            if (!ssr_gathers(x - own_x(), y - own_y())) continue;
             kint neighbour = pixel_at(x, y);
             bool is_own = x == own_x() && y == own_y();
             sum = ssr_add_ray(sum, found[neighbour], weight_of(own, neighbour, is_own));

@@ -45,7 +45,7 @@ ssr_met march(ssr_ray r, ssr_met start) {
     kint state = ssr_state_of(m, sees_sky);
     ssr_met end = start;
     end.outcome = ssr_outcome(state, steps);
-    if (state == SSR_MISS) return end;
+    if (!ssr_meets(state)) return end;
     return ssr_met_at(end, ssr_inside(x, p.width), ssr_inside(y, p.height),
                       ssr_march_length(r, m));
 }

@@ -71,7 +71,7 @@ class SsrTest(ProgramTest):
         self.assertRegex(stats.pop("device"), "^processor" if stats["backend"] == "cpu" else ".")
         self.assertIn(stats.pop("backend"), ["cpu", "gl"])
         self.assertEqual(stats, {"width": 48, "height": 27, "mode": "vndf", "method": "bounded",
-                                 "resolve": "neighbourhood-ratio"})
+                                 "resolve": "confidence"})
         self.assertEqual([frame["frame"] for frame in frames], [0, 1])
         for frame in frames:
             self.assertEqual(set(frame), {"frame", "rays", "rejected", "hit_rate",

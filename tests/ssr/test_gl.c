@@ -67,7 +67,8 @@ static double worst_pyramid(const both *b) {
     return worst;
 }
 
-/* Marks pixels whose rays end elsewhere, and those around them, for what comes after looks there. */
+/* Marks pixels whose rays end elsewhere, and those around them, for what comes after looks there: two pixels far
+ * to resolve, one more to accumulate. */
 static void mark_rays(both *b) {
     for (int y = 0; y < b->height; y++)
         for (int x = 0; x < b->width; x++) {
@@ -76,8 +77,8 @@ static void mark_rays(both *b) {
             b->rays += c->state != LOBE_SSR_NO_RAY;
             if (c->state == g->state && c->x == g->x && c->y == g->y) continue;
             b->other_hits++;
-            for (int ny = y - 1; ny <= y + 1; ny++)
-                for (int nx = x - 1; nx <= x + 1; nx++)
+            for (int ny = y - 3; ny <= y + 3; ny++)
+                for (int nx = x - 3; nx <= x + 3; nx++)
                     if (nx >= 0 && ny >= 0 && nx < b->width && ny < b->height)
                         b->differ[ny * b->width + nx] = 1;
         }
@@ -255,6 +256,8 @@ static void every_way_agrees(void **state) {
     compare(&v, o, "as hdrp");
     v.made.frame.motion_z = v.made.motion_z;
     o.as_hdrp = 0;
+    o.resolve = LOBE_SSR_CONFIDENCE;
+    compare(&v, o, "confidence");
     o.linear_march = 1;
     o.max_iterations = 1000;
     compare(&v, o, "linear, objects in motion");

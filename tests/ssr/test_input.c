@@ -8,7 +8,7 @@ static void broken_frames_give_finite_pictures(void **state) {
     (void)state;
     static const int sizes[][2] = {{1, 1}, {2, 1}, {1, 3}, {67, 41}, {16384, 1}, {1, 16384}};
     for (size_t k = 0; k < sizeof sizes / sizeof *sizes; k++)
-        for (int resolve = 0; resolve < 3; resolve++) {
+        for (int resolve = 0; resolve < 4; resolve++) {
             made_frame m = make_frame(sizes[k][0], sizes[k][1], 60.0f);
             lobe_ssr_options o = lobe_ssr_default_options();
             o.resolve = (lobe_ssr_resolve)resolve;
@@ -52,7 +52,7 @@ static void any_number_of_threads_gives_the_same_bits(void **state) {
     free_frame(&m);
 }
 
-enum { WAYS = 8 };
+enum { WAYS = 9 };
 
 /* Every loop of the passes runs in one of these. */
 static lobe_ssr_options way_at(int way) {
@@ -63,6 +63,7 @@ static lobe_ssr_options way_at(int way) {
     if (way == 3) o.resolve = LOBE_SSR_APPROX;
     if (way == 4) o.resolve = LOBE_SSR_NEIGHBOURHOOD;
     if (way == 7) o.resolve = LOBE_SSR_OWN;
+    if (way == 8) o.resolve = LOBE_SSR_CONFIDENCE;
     o.as_hdrp = way == 5;
     o.linear_march = way == 6;
     return o;

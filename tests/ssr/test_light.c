@@ -218,13 +218,68 @@ static void the_weight_of_hdrp_is_even_in_z(void **state) {
     assert_true(ssr_hdrp_weight(p, SSR_NO_RAY, v3_of(0.0f, 0.0f, 1.0f)) == 0.0f);
 }
 
+/* The ratio of a ray by how it ended: a hit whole, one that left the screen half, one that is lost 3 %. */
+static void rays_weigh_by_what_they_tell(void **state) {
+    (void)state;
+    const ssr_surface surface = {.z = {0.0f, 1.0f, 0.0f},
+                                 .x = {1.0f, 0.0f, 0.0f},
+                                 .y = {0.0f, 0.0f, -1.0f},
+                                 .to_viewer = {0.6f, 0.0f, 0.8f},
+                                 .alpha_x = 0.25f,
+                                 .alpha_y = 0.25f,
+                                 .seen = 1};
+    const ssr_resolved p = ssr_resolved_of(surface);
+    const v3 ray = v3_of(-0.6f, 0.8f, 0.0f);
+    const float whole = ssr_ray_weight(p, SSR_HIT, ray, 2.0f, false, false, SSR_CONFIDENCE);
+    assert_true(whole > 0.0f);
+    for (kint met = SSR_NO_RAY; met <= SSR_LOST; met++) {
+        const float ratio =
+            ssr_ray_weight(p, met, ray, 2.0f, false, false, SSR_NEIGHBOURHOOD_RATIO);
+        const float sure = ssr_ray_weight(p, met, ray, 2.0f, false, false, SSR_CONFIDENCE);
+        const float share = met == SSR_LOST ? 0.03f : met == SSR_MISS ? 0.5f : 1.0f;
+        const bool traced = met != SSR_NO_RAY && met != SSR_REJECTED;
+        assert_true(ratio == (traced ? whole : 0.0f));
+        assert_true(fabsf(sure - share * ratio) <= 1e-6f * whole);
+    }
+}
+
+/* A ray that leaves the screen finds the environment, one that is lost nothing. */
+static void what_leaves_the_screen_finds_the_environment(void **state) {
+    (void)state;
+    const float red[3] = {3.0f, 0.0f, 0.0f};
+    made_frame m = make_room(64, 36, 0.3f);
+    m.frame.environment = (lobe_ssr_environment){1, 1, 1, red};
+    lobe_ssr_options o = rough(LOBE_METHOD_BOUNDED);
+    o.resolve = LOBE_SSR_CONFIDENCE;
+    lobe_ssr *ssr = open_ssr(&m, o);
+    run_frame(ssr, &m);
+    int counts[SSR_LOST + 1] = {0};
+    for (size_t i = 0; i < 64 * 36; i++) {
+        const kint met = lobe_ssr_rays(ssr)[i].state;
+        const float *found = ssr->found + 4 * i;
+        counts[met]++;
+        if (met == SSR_MISS) {
+            assert_true(fabsf(found[0] - 3.0f) < 1e-5f);
+            assert_true(found[1] == 0.0f && found[3] == 1.0f);
+        }
+        if (met == SSR_HIT) assert_true(found[0] <= 1.0f && found[0] == found[1]);
+        if (met == SSR_LOST || met == SSR_REJECTED) assert_true(found[3] == 0.0f);
+    }
+    assert_true(counts[SSR_MISS] > 50 && counts[SSR_HIT] > 50 && counts[SSR_LOST] > 0);
+    lobe_ssr_free(ssr);
+    free_frame(&m);
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(constant_light_stays_constant),
-                                       cmocka_unit_test(the_mean_weight_is_the_albedo),
-                                       cmocka_unit_test(neighbours_share_out_the_random_numbers),
-                                       cmocka_unit_test(a_bias_shortens_the_lobe),
-                                       cmocka_unit_test(history_averages_and_is_dropped),
-                                       cmocka_unit_test(fades_end_where_they_should),
-                                       cmocka_unit_test(the_weight_of_hdrp_is_even_in_z)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(constant_light_stays_constant),
+        cmocka_unit_test(the_mean_weight_is_the_albedo),
+        cmocka_unit_test(neighbours_share_out_the_random_numbers),
+        cmocka_unit_test(a_bias_shortens_the_lobe),
+        cmocka_unit_test(history_averages_and_is_dropped),
+        cmocka_unit_test(fades_end_where_they_should),
+        cmocka_unit_test(rays_weigh_by_what_they_tell),
+        cmocka_unit_test(what_leaves_the_screen_finds_the_environment),
+        cmocka_unit_test(the_weight_of_hdrp_is_even_in_z)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
