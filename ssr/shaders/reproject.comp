@@ -1,5 +1,5 @@
 /* Reproject: where what was met was one frame ago, its colour there, and the fade toward the edge.
- * Agrees with the processor to 1e-5, for the same ray. */
+ * Agrees with the processor to 1e-5, for the same ray; where it takes the environment, as directions do. */
 #include "common.glsl"
 #include "environment.glsl"
 #include "motion.glsl"

@@ -20,12 +20,12 @@ class KillTest(LongTest):
     def test_kill_at_any_moment(self):
         """Killed again and again, with other numbers of threads, the picture is the same file; a checkpoint is at all
         times whole or not there."""
-        self.kill_often(KILLS, ["cornell", "--size", "64x36", "--spp", "30", "--aov",
+        self.kill_often(KILLS, ["cornell", "--size", "64x36", "--spp", "60", "--aov",
                                 "albedo,rejected"])
 
     def test_kill_of_an_adaptive_one(self):
         """With a plan to lose."""
-        self.kill_often(KILLS // 2, ["cornell", "--size", "40x24", "--spp", "70", "--adaptive"])
+        self.kill_often(KILLS // 2, ["cornell", "--size", "40x24", "--spp", "400", "--adaptive"])
 
     def kill_often(self, wanted, scene):
         start = time.monotonic()
