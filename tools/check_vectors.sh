@@ -1,7 +1,7 @@
 #!/bin/bash
 # check_vectors.sh LIBRARY.A...: every loop that has to be is made of vectors. Compilers give up silently.
-# Of the batches (liblobe.a) a loop of an instruction set must have packed square roots or divisions, or be the same code as
-# another loop and jump there, and must call nothing. The passes of liblobe_ssr.a have several loops a function, between
+# Of the batches (liblobe.a) and of shading (liblobe_render.a, every set) a loop must have packed square roots or divisions,
+# or be the same code as another loop and jump there, and must call nothing. The passes of liblobe_ssr.a have several loops a function, between
 # code that is scalar: each must have as much packed arithmetic as it has where all of them are vectors, and the step of
 # the march, which is one loop, by itself. OBJDUMP: of another processor.
 set -eu
@@ -20,8 +20,8 @@ set -eu
     }
     /^[0-9a-f]+ <.*>:/ {
         symbol = substr($2, 2, length($2) - 3)
-        name = object " " $2
-        wanted = loops && $2 ~ /_(sample|normals|eval)_(each|shared)>/
+        name = object " " number " " $2
+        wanted = (loops && $2 ~ /_(sample|normals|eval)_(each|shared)>/) || $2 ~ /<(matte|.*_(metal|coated))_rows>/
         if (wanted) { seen[name] = 1; count++ }
         if (match(symbol, /^lobe_ssr_[a-z_]+_(sse41|avx2|avx512|neon)$/)) {
             pass = substr(symbol, 10)
@@ -30,7 +30,7 @@ set -eu
         }
     }
     wanted && /[ \t]v?(sqrt|div)p[sd][ \t]|fsqrt[ \t]+v|fdiv[ \t]+v/ { packed[name]++ }
-    wanted && /[ \t]jmp? .*_(sample|normals|eval)_(each|shared)>$/ { packed[name]++ }
+    wanted && /[ \t]jmp? .*_((sample|normals|eval)_(each|shared)|(metal|coated)_rows)>$/ { packed[name]++ }
     wanted && /[ \t](call|bl)[ \t]/ { calls[name]++ }
     /[ \t]v?(add|sub|mul|div|sqrt|min|max|cmp[a-z]*)ps[ \t]/ ||
         /[ \t]f(add|sub|mul|div|sqrt|min|max|minnm|maxnm|cm[a-z]*)[ \t]+v/ {

@@ -149,11 +149,11 @@ poison() {
     expect_fail "calls sinf" "${check[@]}"
 }
 
-# loop BODY: an archive with one loop of the batches, of that body.
+# loop NAME BODY: an archive with one loop of that name, among those of the batches.
 loop() {
     mkdir -p "$tree"
-    echo "float f(float); void a_sample_each(float *x, int n);
-        void a_sample_each(float *x, int n) { for (int i = 0; i < n; ++i) x[i] = $1; }" \
+    echo "float f(float); void $1(float *x, int n);
+        void $1(float *x, int n) { for (int i = 0; i < n; ++i) x[i] = $2; }" \
         >"$tree/batch_sse41_f32.c"
     gcc -O3 -fno-math-errno -fno-trapping-math -c "$tree/batch_sse41_f32.c" \
         -o "$tree/batch_sse41_f32.c.o"
@@ -175,11 +175,13 @@ pass() {
 vectors() {
     local check=("$tools/check_vectors.sh" "$tree/a.a")
     [ "$(uname -m)" = x86_64 ] || return 0
-    loop '__builtin_sqrtf(x[i])'
-    expect_pass "${check[@]}"
-    loop 'x[i] > 0 ? x[i] + f(x[i]) : __builtin_sqrtf(x[i])'
-    expect_fail "is scalar" "${check[@]}"
-    expect_fail "calls a function" "${check[@]}"
+    for name in a_sample_each a_normals_shared a_coated_rows; do
+        loop "$name" '__builtin_sqrtf(x[i])'
+        expect_pass "${check[@]}"
+        loop "$name" 'x[i] > 0 ? x[i] + f(x[i]) : __builtin_sqrtf(x[i])'
+        expect_fail "is scalar" "${check[@]}"
+        expect_fail "calls a function" "${check[@]}"
+    done
     library 'int lobe_a(void) { return 0; }'
     expect_fail "0 loops" "${check[@]}"
     pass 'y = x[i] * x[i] + x[i]; y = y * y - x[i]; y = y * x[i] + 1; x[i] = y * y;'
