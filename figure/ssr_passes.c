@@ -12,7 +12,7 @@
 enum { WIDTH = 288, HEIGHT = 162, PIXELS = WIDTH * HEIGHT, FRAMES = 6, CHANNELS = 3 };
 /* The rows that are shown: the others are sky and floor. */
 enum { FIRST_ROW = 30, ROWS = 112 };
-enum { STATES = 5, LEVELS_SHOWN = 4 };
+enum { STATES = LOBE_SSR_LOST + 1, LEVELS_SHOWN = 4 };
 
 typedef enum panel {
     BEFORE,
@@ -186,7 +186,8 @@ static colour pyramid_colour(const void *user, int column, int row) {
 }
 
 /* In the order of lobe_ssr_state. */
-static const char *const states[STATES] = {"no surface", "rejected", "miss", "hit", "sky"};
+static const char *const states[STATES] = {"no surface", "rejected", "off the screen",
+                                           "hit",        "sky",      "lost"};
 
 typedef struct state_map {
     colour colours[STATES];
@@ -200,8 +201,9 @@ static colour state_colour(const void *user, int column, int row) {
 
 static state_map map_of(const canvas *c, const pictures *p) {
     const colour *hues = c->theme->hues;
-    return (state_map){
-        {c->theme->grid, hues[HUE_RED], hues[HUE_ORANGE], hues[HUE_GREEN], hues[HUE_SKY]}, p};
+    return (state_map){{c->theme->grid, hues[HUE_RED], hues[HUE_ORANGE], hues[HUE_GREEN],
+                        hues[HUE_SKY], hues[HUE_PURPLE]},
+                       p};
 }
 
 static void draw_key(canvas *c, const state_map *m, double y) {
