@@ -3,8 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include <OpenEXR/openexr.h>
-
+#include "../exr/chunk.h"
 #include "exr_film.h"
 #include "lobe/version.h"
 #include "message.h"
@@ -169,36 +168,9 @@ static void aim_channels(exr_encode_pipeline_t *pipe, const layers *l, size_t fi
     }
 }
 
-/* ---- A chunk that is as long compressed as it was ---------------------------------------------- */
-
-typedef exr_result_t compress_function(exr_encode_pipeline_t *pipe);
-
-typedef struct compressor {
-    compress_function *compress; /* the library's */
-} compressor;
-
-/* OpenEXR 3.1 leaves a chunk compressed if that is exactly as long as its pixels. Readers take what is so long for the
- * pixels themselves. */
-static exr_result_t compress_or_copy(exr_encode_pipeline_t *pipe) {
-    const compressor *own = pipe->encoding_user_data;
-    const exr_result_t status = own->compress(pipe);
-    if (status == EXR_ERR_SUCCESS && pipe->compressed_bytes == pipe->packed_bytes)
-        memcpy(pipe->compressed_buffer, pipe->packed_buffer, (size_t)pipe->packed_bytes);
-    return status;
-}
-
-static exr_result_t choose_routines(exr_context_t file, exr_encode_pipeline_t *pipe,
-                                    compressor *own) {
-    const exr_result_t status = exr_encoding_choose_default_routines(file, 0, pipe);
-    own->compress = pipe->compress_fn;
-    pipe->encoding_user_data = own;
-    if (status == EXR_ERR_SUCCESS && own->compress) pipe->compress_fn = compress_or_copy;
-    return status;
-}
-
 static exr_result_t write_lines(exr_context_t file, const lobe_film *film, const layers *l) {
     int32_t step = 1;
-    compressor own = {NULL};
+    exr_chunk_compressor own = {NULL};
     exr_encode_pipeline_t pipe = EXR_ENCODE_PIPELINE_INITIALIZER;
     exr_result_t status = exr_get_scanlines_per_chunk(file, 0, &step);
     for (int y = 0; y < film->height && status == EXR_ERR_SUCCESS; y += step) {
@@ -209,7 +181,7 @@ static exr_result_t write_lines(exr_context_t file, const lobe_film *film, const
                             : exr_encoding_update(file, 0, &chunk, &pipe);
         if (status != EXR_ERR_SUCCESS) break;
         aim_channels(&pipe, l, (size_t)y * (size_t)film->width, film->width);
-        if (y == 0) status = choose_routines(file, &pipe, &own);
+        if (y == 0) status = exr_chunk_choose_routines(file, &pipe, &own);
         if (status == EXR_ERR_SUCCESS) status = exr_encoding_run(file, 0, &pipe);
     }
     exr_encoding_destroy(file, &pipe);

@@ -10,11 +10,8 @@
 
 struct aiNode *lobe_import_find_node(struct aiNode *node, const char *name,
                                      struct aiMatrix4x4 *to_world) {
-    struct aiMatrix4x4 own;
-    if (to_world) {
-        own = *to_world;
-        aiMultiplyMatrix4(&own, &node->mTransformation);
-    }
+    struct aiMatrix4x4 own = to_world ? *to_world : node->mTransformation;
+    if (to_world) aiMultiplyMatrix4(&own, &node->mTransformation);
     struct aiNode *found = strcmp(node->mName.data, name) == 0 ? node : NULL;
     if (found && to_world) *to_world = own;
     for (unsigned i = 0; i < node->mNumChildren && !found; i++) {

@@ -6,9 +6,9 @@
 #include "material.h"
 
 /* The sets: X(end of the symbols, name of lobe_isa) */
-#if defined(LOBE_ROWS_X86)
+#if defined(LOBE_ROW_X86)
 #define ROW_SETS(X) X(scalar, "scalar") X(sse41, "sse4.1") X(avx2, "avx2") X(avx512, "avx512")
-#elif defined(LOBE_ROWS_NEON)
+#elif defined(LOBE_ROW_NEON)
 #define ROW_SETS(X) X(scalar, "scalar") X(neon, "neon")
 #else
 #define ROW_SETS(X) X(scalar, "scalar")

@@ -24,6 +24,7 @@ from pathlib import Path
 import numpy
 
 import peer_scenes
+from pfm import read_pfm
 
 LOBE = Path(__file__).resolve().parents[2] / "build/lobe"
 BLOCK, LIMIT, BECKMANN_FIT = 8, 4.0, 0.007
@@ -35,14 +36,6 @@ MISTAKES = {
     "light scattered twice at most": ("diffuse", {"--depth": "2"}, None),
     "a picture 1 % too bright": ("diffuse", {"--exposure": str(math.log2(1.01))}, None),
 }
-
-
-def read_pfm(path):
-    with open(path, "rb") as file:
-        file.readline()
-        width, height = map(int, file.readline().split())
-        file.readline()
-        return numpy.frombuffer(file.read(), "<f4").reshape(height, width, 3)[::-1]
 
 
 def options_of(name):

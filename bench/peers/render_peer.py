@@ -17,16 +17,10 @@ import drjit
 import mitsuba
 import numpy
 
+from pfm import read_pfm
+
 LOBE = Path(__file__).resolve().parents[2] / "build/lobe"
 WIDTH, HEIGHT = 640, 360
-
-
-def read_pfm(path):
-    with open(path, "rb") as file:
-        file.readline()
-        width, height = map(int, file.readline().split())
-        file.readline()
-        return numpy.frombuffer(file.read(), "<f4").reshape(height, width, 3)[::-1]
 
 
 def ours(folder, spp, seed):

@@ -13,7 +13,7 @@ trap 'rm -rf "$scratch"' EXIT
 
 # The flags of cmake/Compiler.cmake and lib/CMakeLists.txt.
 compile="aarch64-linux-gnu-gcc -std=c17 -O2 -DNDEBUG -ffp-contract=off -fno-math-errno -fno-trapping-math -I$tree/include"
-vectors="-O3 -fno-thread-jumps -fno-tree-pre -fno-unswitch-loops --param=sra-max-propagations=1000"
+vectors="-O3 -fno-thread-jumps -fno-tree-pre -fno-unswitch-loops --param=sra-max-propagations=1000 -fschedule-insns -fsched-pressure"
 
 for source in "$tree"/lib/*.c "$tree/tests/lib/bits.c"; do
     case $source in

@@ -8,6 +8,7 @@
 
 #include "gltf_square.h"
 #include "pictures.h"
+#include "told.h"
 
 #include <unistd.h>
 
@@ -123,15 +124,6 @@ enum { SIZE = 16 };
 typedef struct sight {
     float rgb[SIZE * SIZE * 3], depth[SIZE * SIZE];
 } sight;
-
-static char told[8][300];
-static int tellings;
-
-static void tell(void *user, const char *message) {
-    (void)user;
-    if (tellings < 8) snprintf(told[tellings], sizeof told[0], "%s", message);
-    ++tellings;
-}
 
 static lobe_scene_options listening(double time) {
     lobe_scene_options options = lobe_scene_default_options();

@@ -8,6 +8,7 @@
 
 #include "gltf_square.h"
 #include "pictures.h"
+#include "told.h"
 
 #include <lobe/random.h>
 #include <sys/stat.h>
@@ -255,15 +256,6 @@ static void materials_are_those_of_gltf(void **state) {
 }
 
 /* ---- What is named ------------------------------------------------------------------------------- */
-
-static char told[8][300];
-static int tellings;
-
-static void tell(void *user, const char *message) {
-    (void)user;
-    if (tellings < 8) snprintf(told[tellings], sizeof told[0], "%s", message);
-    ++tellings;
-}
 
 static void load_and_listen(void) {
     lobe_scene *scene = NULL;

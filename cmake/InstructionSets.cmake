@@ -1,0 +1,30 @@
+# lobe_compile_for_sets(TARGET PREFIX SOURCE...): the loops of a library that become vectors, once for each instruction set, as
+# objects of it. The sources see LOBE_<PREFIX>_SET, the end of their symbols; the library sees LOBE_<PREFIX>_X86 or _NEON where
+# there is more than `scalar`. Without -ffp-contract=off (Compiler.cmake), -mfma would change bits.
+function(lobe_compile_for_sets target prefix)
+    set(sets scalar)
+    if(LOBE_SANITIZE OR LOBE_COVERAGE)
+        # as in lib: instrumented loops do not become vectors
+    elseif(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$")
+        list(APPEND sets sse41 avx2 avx512)
+        set(flags_sse41 -msse4.1)
+        set(flags_avx2 -mavx2 -mfma -mprefer-vector-width=256)
+        set(flags_avx512 -mavx2 -mfma -mavx512f -mavx512vl -mavx512bw -mavx512dq -mprefer-vector-width=512)
+        target_compile_definitions(${target} PRIVATE LOBE_${prefix}_X86)
+    elseif(CMAKE_SYSTEM_PROCESSOR MATCHES "^(aarch64|arm64)$")
+        list(APPEND sets neon)
+        target_compile_definitions(${target} PRIVATE LOBE_${prefix}_NEON)
+    endif()
+    foreach(set IN LISTS sets)
+        set(objects ${target}_${set})
+        add_library(${objects} OBJECT ${ARGN})
+        target_compile_definitions(${objects} PRIVATE LOBE_${prefix}_SET=${set}
+            $<TARGET_PROPERTY:${target},COMPILE_DEFINITIONS>)
+        target_include_directories(${objects} PRIVATE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/include)
+        target_link_libraries(${objects} PRIVATE OpenMP::OpenMP_C)
+        if(NOT CMAKE_BUILD_TYPE STREQUAL "Debug")
+            target_compile_options(${objects} PRIVATE ${LOBE_VECTOR_FLAGS} ${flags_${set}})
+        endif()
+        target_sources(${target} PRIVATE $<TARGET_OBJECTS:${objects}>)
+    endforeach()
+endfunction()
