@@ -103,7 +103,7 @@ static const lobe_app_option picture_options[] = {
      "over how much of a pixel textures are averaged, as a width; 0: texels as they are",
      lobe_app_read_f64, AT(footprint), NULL},
     {"--lights", "HOW", "auto",
-     "how one of many lamps and glowing triangles is chosen: power, tree, or auto, a tree from 33 "
+     "how one of many lamps and glowing triangles is chosen: power, tree, or auto, a tree from 16 "
      "on",
      lobe_app_read_choice, AT(lights), light_choices},
     {"--aov", "LIST", "none", "more channels for .exr, with commas between:" AOV_NAMES, read_aovs,
